@@ -186,6 +186,8 @@ class OrdersJudge {
                 const double needed = asked(i).body.reach() + asked(j).body.reach() + terms_.rules.separation -
                                       std::max(terms_.tolerance, rounding);
                 if (i == j || needed <= 0 || reach[i].apart(reach[j], needed)) continue;
+                // Who comes later is where it comes, whatever others do.
+                if (plan_.agents[i].path.front().t != plan_.agents[j].path.front().t) continue;
                 judge_pair(i, j, needed);
             }
         }

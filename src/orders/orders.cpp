@@ -65,7 +65,11 @@ void add_passing_orders(const Mission& mission, Plan& plan) {
                           orders::stretches(i, plan.agents[i].path, mission.rules.at_goal == AtGoal::stay)});
     }
     if (tracks.size() < 2) return;
-    const std::vector<orders::Pair> pairs = orders::near_pairs(tracks, mission.rules.separation);
+    std::vector<orders::Pair> pairs = orders::near_pairs(tracks, mission.rules.separation);
+    // Who comes later is where it comes, whatever others do.
+    const auto begins = [&](std::size_t agent) { return plan.agents[agent].path.front().t; };
+    std::erase_if(pairs,
+                  [&](const orders::Pair& pair) { return begins(pair.one->agent) != begins(pair.other->agent); });
     constexpr std::array<Precision, 4> precisions{
         {{order_step}, {order_step / 16}, {order_step / 256}, {order_step / 256, true}}};
     std::vector<std::size_t> precision(plan.agents.size());  // of orders between two agents that need one as fine

@@ -14,9 +14,9 @@ namespace waybreaker {
 // `order_clearance`; no obstacle is touched before it is breached; nobody waits for ever.
 // The plan itself keeps them. Only where two vehicles touch while both move, each step of one needs the other to be a
 // step ahead: that order has a slack below 0, by no more than its agent drives in `order_step` cells.
-// Where timing is ignored obstacles never were there, and there are orders of vehicles only.
-// REQUIRES: the plan is solved, and its agents are the mission's. Time O(n log n) for n moves, plus O(pairs of moves
-// that come near each other).
+// Orders are of agents whose paths begin at one time. Where timing is ignored obstacles never were there, and there are
+// orders of vehicles only. REQUIRES: the plan is solved, and its agents are the mission's. Time O(n log n) for n moves,
+// plus O(pairs of moves that come near each other).
 void add_orders(const Map& map, const Mission& mission, Plan& plan);
 
 inline constexpr double order_step = 0.25;       // cells

@@ -65,8 +65,8 @@ Candidate around_late_openings(const Task& task, const Searchers& searchers, Can
     std::vector<Point> path = through.opening.ground.path;
     while (!path.empty() && !task.deadline.passed()) {
         const auto late = most_waited_for(task.map, task.driver, path, task.rules.opened);
-        if (!late) break;
-        std::erase(open_ones, *late);
+        // A path may graze what stands already.
+        if (!late || std::erase(open_ones, *late) == 0) break;
         Opening around = open(task.trip(), searchers, open_ones);
         path = around.ground.path;
         around.removed = removed;

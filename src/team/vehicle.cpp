@@ -33,8 +33,8 @@ void go_around_late(const Trip& trip, std::span<const TimedOpening> openings, co
     while (!way.empty() && !trip.deadline.passed()) {
         const std::vector<Point> path(way.begin(), way.end());
         const auto late = most_waited_for(trip.map, trip.driver, path, openings);
-        if (!late) return;
-        std::erase(removed, *late);
+        // A path may graze what stands already.
+        if (!late || std::erase(removed, *late) == 0) return;
         const Opening around = open(trip, searchers, removed);
         way = cells_of(around.ground.path);
         if (around.status != SearchStatus::found) return;

@@ -106,7 +106,7 @@ TEST(Orders, OfWhoVanishesBesideTheOther) {
     mission.rules.at_goal = AtGoal::leave;
     mission.agents = {vehicle("first", {1, 1}, {4, 1}), vehicle("second", {6, 0}, {3, 1})};
     // From (4, 0) on the second would touch who stands at (4, 1).
-    Plan plan = driven(mission, {{{1, 1, 0}, {4, 1, 3}}, {{6, 0, 2}, {4, 0, 4}, {3, 1, 4 + std::sqrt(2)}}});
+    Plan plan = driven(mission, {{{1, 1, 0}, {4, 1, 3}}, {{6, 0, 0}, {6, 0, 2}, {4, 0, 4}, {3, 1, 4 + std::sqrt(2)}}});
     add_orders(free_ground, mission, plan);
     ASSERT_FALSE(plan.orders.empty());
     for (const Order& order : plan.orders) EXPECT_EQ(order.after.agent, 1U);
