@@ -17,16 +17,15 @@ namespace {
 using orders::Precision;
 
 // When its agent has breached an obstacle: it has got to the point of its path where it has stayed for that, or it
-// passes the place without a stop.
+// passes the place without a stop. Of points at one time, where nothing takes time, it is the last.
 Moment breach_of(const Breach& breach, std::size_t agent, const std::vector<Waypoint>& path) {
     const double rounding = 1e-9 * std::max(1.0, breach.cleared_at);
-    const auto next =
-        std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t < breach.cleared_at - rounding; });
-    if (next == path.end()) return {agent, path.size() - 1, 0};
-    const auto point = std::size_t(next - path.begin());
-    if (point == 0 || next->t <= breach.cleared_at + rounding) return {agent, point, 0};
-    const double begun = path[point - 1].t;
-    return {agent, point - 1, (breach.cleared_at - begun) / (next->t - begun)};
+    const auto later =
+        std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t <= breach.cleared_at + rounding; });
+    if (later == path.begin()) return {agent, 0, 0};
+    const auto point = std::size_t(later - path.begin()) - 1;
+    if (later == path.end() || path[point].t >= breach.cleared_at - rounding) return {agent, point, 0};
+    return {agent, point, (breach.cleared_at - path[point].t) / (later->t - path[point].t)};
 }
 
 // Of one ground and one air agent the plan does not say who breaches.
