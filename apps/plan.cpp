@@ -28,6 +28,7 @@
 #include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
+#include "waybreaker/revise.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -239,12 +240,26 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
     return plans;
 }
 
+// What is left where breaches fail is planned with proof, however the plan was made.
+void add_plans_b(const io::MapFile& file, const io::MissionDocument& asked, double seconds, Plan& plan) {
+    if (plan.status != PlanStatus::solved) return;
+    const Progress progress("planning for failures");
+    Method method = asked.method;
+    if (method.select != Selection::exact) method = Method{};
+    method.explain = false;
+    Planner planner;
+    const auto count = double(std::max<std::size_t>(plan.breaches.size(), 1));
+    add_if_failed(planner, file.map, asked.mission, plan, method, {.seconds = seconds / count});
+}
+
 void run(const PlanOptions& options) {
     validate(options);
     const Stopwatch since_start;
     io::MissionDocument given = given_mission(options);
     io::MapFile file = to_plan_on(given.overlays, read_map(options));
     io::MissionDocument asked = mission_of(options, std::move(given), file);
+    if (options.plan_b && asked.mission.rules.timing == Timing::ignore)
+        throw InputError("--plan-b needs --timing enforce: where timing is ignored breaches cannot fail");
     if (auto weighed = io::settle(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.save_mission.empty())
@@ -262,10 +277,11 @@ void run(const PlanOptions& options) {
     asked.limits.seconds = time_left(deadline);
     if (!options.html.empty() && asked.mission.is_team()) asked.limits.seconds *= share_of_team;
     const bool explain = std::exchange(asked.method.explain, asked.method.explain || !options.html.empty());
-    const std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
+    std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
     asked.method.explain = explain;
     Rules& rules = asked.mission.rules;
     if (options.removals_auto) rules.removals = io::removals_of(plans, rules);
+    if (options.plan_b) add_plans_b(file, asked, time_left(deadline), plans.back());
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
                                   .asked = asked,

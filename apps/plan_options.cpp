@@ -213,6 +213,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
         "--explain", options.explain,
         "Say what each removal saves, which obstacle one removal more would take, what each ground agent of a "
         "team gains, and who waits for whom");
+    command.add_flag("--plan-b", options.plan_b,
+                     "Say of each removal what the mission comes to if it fails when it is tried, and what is removed "
+                     "then; needs the timing enforced");
     add_choice(command, "--flight", io::flight_words, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");

@@ -70,6 +70,7 @@ struct PlanOptions {
     bool area_budget = false;    // the budget is one of square metres
     bool bound = false;
     bool explain = false;
+    bool plan_b = false;  // of each breach, what is left where it fails
     bool no_timing = false;
     bool lon_lat = false;     // places of agents are degrees
     bool map_metres = false;  // they are metres of the map's frame

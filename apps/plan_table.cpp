@@ -193,6 +193,8 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     if (style.metres) rows.front().insert(rows.front().begin() + 3, "m\u00b2");
     const bool shared = std::ranges::any_of(plan.breaches, [](const Breach& breach) { return !breach.by.empty(); });
     if (explained) rows.front().push_back(timed("saves", context));
+    const bool plan_b = std::ranges::any_of(plan.breaches, [](const Breach& b) { return b.if_failed.has_value(); });
+    if (plan_b) rows.front().push_back(timed("if it fails", context));
     if (shared) rows.front().emplace_back("by");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
@@ -203,6 +205,10 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
         if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
         if (explained) rows.back().push_back(breach.saves == INFINITY ? "needed" : text(breach.saves, 3));
+        if (plan_b) {
+            const double left = breach.if_failed ? breach.if_failed->objective : INFINITY;
+            rows.back().push_back(left == INFINITY ? "no plan" : text(left, 3));
+        }
         if (shared) rows.back().push_back(shortened(breach.by));
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);

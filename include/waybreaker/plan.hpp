@@ -73,6 +73,12 @@ struct Order {
     double slack = 0;  // how late `before` may be until `after` is put off, everybody else as planned; units of time
 };
 
+// What a mission comes to where a breach fails when it is done, all else as planned.
+struct IfFailed {
+    double objective = 0;                  // +infinity: there is no plan then
+    std::vector<ObstacleId> removed = {};  // before and after that
+};
+
 // One obstacle an air agent removes.
 struct Breach {
     ObstacleId obstacle = {};
@@ -85,6 +91,7 @@ struct Breach {
     // What the objective would lose if this one had to stay; if asked for (below 0: it gains; +infinity: there is no
     // plan then).
     std::optional<double> saves = {};
+    std::optional<IfFailed> if_failed = {};  // if asked for (revise.hpp)
     // Of a team's plan: the air agent that breaches it, and when it begins to.
     std::string by = {};
     std::optional<double> begun_at = {};

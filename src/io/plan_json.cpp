@@ -142,6 +142,11 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     json["cleared_at"] = number(breach.cleared_at);
     json["entered_at"] = number(breach.entered_at);
     if (breach.saves) json["saves"] = number(breach.saves);
+    if (breach.if_failed) {
+        Json& plan_b = json["if_failed"];
+        plan_b = {{"objective", number(breach.if_failed->objective)}, {"removed", Json::array()}};
+        for (const ObstacleId id : breach.if_failed->removed) plan_b["removed"].push_back(id.value);
+    }
     return json;
 }
 

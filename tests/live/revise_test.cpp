@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,44 @@ RC_GTEST_PROP(Revise, AfterAFailedBreachTheRestIsValid, ()) {
     const bool again =
         std::ranges::find(next.plan.breaches, failed.obstacle, &Breach::obstacle) != next.plan.breaches.end();
     if (old.mission.rules.retries == 0) RC_ASSERT(!again);
+}
+
+// Plan B of a breach is no better than a mission that has never had it.
+RC_GTEST_PROP(Revise, PlanBIsNoBetterThanWithoutTheObstacle, ()) {
+    Underway old = any_underway(12);
+    RC_PRE(!old.plan.breaches.empty());
+    old.mission.rules.retries = 0;
+    Planner planner;
+    add_if_failed(planner, old.map, old.mission, old.plan);
+    for (const Breach& breach : old.plan.breaches) {
+        RC_ASSERT(breach.if_failed.has_value());
+        Mission without = old.mission;
+        without.rules.protect.push_back(breach.obstacle);
+        const Plan fresh = planner.plan(old.map, without);
+        if (fresh.status == PlanStatus::no_plan) RC_ASSERT(std::isinf(breach.if_failed->objective));
+        if (fresh.bound) RC_ASSERT(breach.if_failed->objective >= *fresh.bound * (1 - 1e-9));
+        RC_ASSERT(std::ranges::find(breach.if_failed->removed, breach.obstacle) == breach.if_failed->removed.end());
+    }
+}
+
+TEST(Revise, PlanBSaysWhatIsRemovedBeforeAndAfter) {
+    // Two walls; the second has another opening, farther away.
+    const Map map = Map::from_rows({
+        "...A..B..",
+        "...A..C..",
+        "...A..C..",
+        "...A..C..",
+    });
+    Mission mission = ground_and_air({0, 0}, {8, 0});
+    mission.rules.breach_time.per_obstacle = 1;
+    Plan plan = Planner().plan(map, mission);
+    ASSERT_EQ(plan.breaches.size(), 2U);
+    Planner planner;
+    add_if_failed(planner, map, mission, plan);
+    EXPECT_TRUE(std::isinf(plan.breaches[0].if_failed.value_or(IfFailed{}).objective));
+    const IfFailed second = plan.breaches[1].if_failed.value_or(IfFailed{});
+    EXPECT_GT(second.objective, *plan.after.makespan);
+    EXPECT_EQ(second.removed.size(), 2U);
 }
 
 // Agents that are late, lost or have stopped, cells that are blocked: whatever is planned is valid.
