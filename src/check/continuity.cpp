@@ -39,7 +39,9 @@ class ContinuityJudge {
           state_(state),
           mission_(mission),
           plan_(plan),
-          tolerance_(tolerance) {}
+          tolerance_(tolerance) {
+        if (plan.revised) decisions_ = plan.revised->decisions;
+    }
 
     std::vector<Violation> judge() {
         if (!plan_.revised) {
@@ -68,7 +70,7 @@ class ContinuityJudge {
     }
 
     void judge_report() {
-        const Revised& now = *plan_.revised;
+        const Revised now = plan_.revised.value_or(Revised{});
         if (now.sequence != state_.sequence)
             say("the plan knows report " + std::to_string(now.sequence) + ", not " + std::to_string(state_.sequence));
         if (!same(now.now, state_.now)) say("the plan was not made at the time of the state");
@@ -83,7 +85,7 @@ class ContinuityJudge {
         if (!begins_so || now.found.size() > known.size() + stopped) say("the plan does not know what was found");
     }
 
-    bool is_out(const AgentState* state) const {
+    static bool is_out(const AgentState* state) {
         return state != nullptr && (state->doing == Doing::lost || state->doing == Doing::stopped);
     }
 
@@ -131,7 +133,7 @@ class ContinuityJudge {
         const Itinerary* old = named(old_.agents, was.id);
         if (plan_.status != PlanStatus::solved) return;
         const Decision* decision = nullptr;
-        for (const Decision& d : plan_.revised->decisions) {
+        for (const Decision& d : decisions_) {
             if (d.agent == was.id) decision = &d;
         }
         if (path == nullptr || old == nullptr || decision == nullptr || decision->point >= path->path.size())
@@ -231,7 +233,7 @@ class ContinuityJudge {
             if (known != nullptr && !is_open && !failed && known->at > state_.now) {
                 // Its breach has begun: whoever makes it stays until it is done.
                 bool bound = false;
-                for (const Decision& d : plan_.revised->decisions) {
+                for (const Decision& d : decisions_) {
                     bound = bound || (breacher.aircraft != nullptr && d.agent == breacher.aircraft->id &&
                                       d.time >= known->at - slack(known->at));
                 }
@@ -305,6 +307,7 @@ class ContinuityJudge {
     const Mission& mission_;
     const Plan& plan_;
     double tolerance_;
+    std::vector<Decision> decisions_;
     std::vector<Violation> found_;
 };
 

@@ -146,7 +146,7 @@ Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
             add_failure(breach.obstacle, rules);
             continue;
         }
-        rules.opened.push_back({breach.obstacle, *outlooks[i].opens});
+        rules.opened.push_back({breach.obstacle, outlooks[i].opens.value_or(report.state.now)});
         rules.removals = std::max(rules.removals - 1, 0);
         rules.budget = std::max(rules.budget - report.map.obstacle(breach.obstacle).weight, 0.0);
         forget(rules.force, breach.obstacle);

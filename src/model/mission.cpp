@@ -141,7 +141,7 @@ void validate_beginning(const Map& map, const Agent& agent) {
         last = p.t;
         constexpr double rounding = 1e-6;
         const double driven = before == nullptr ? 0 : distance(Point(before->x, before->y), Point(p.x, p.y));
-        if (driven > 0 && driven > agent.speed * (p.t - before->t) * (1 + rounding) + rounding)
+        if (before != nullptr && driven > 0 && driven > agent.speed * (p.t - before->t) * (1 + rounding) + rounding)
             refuse("is faster on its approach than it can be");
         before = &p;
     }

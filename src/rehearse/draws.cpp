@@ -20,9 +20,15 @@ double unit(Random& random) {
 double poisson(Random& random, double mean) {
     constexpr double most_at_once = 16;
     double count = 0;
-    for (double left = mean; left > 0; left -= most_at_once) {
+    double left = mean;
+    while (left > 0) {
         const double end = std::exp(-std::min(left, most_at_once));
-        for (double product = unit(random); product > end; product *= unit(random)) ++count;
+        double product = unit(random);
+        while (product > end) {
+            ++count;
+            product *= unit(random);
+        }
+        left -= most_at_once;
     }
     return count;
 }

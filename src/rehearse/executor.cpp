@@ -123,12 +123,12 @@ class Execution {
     }
 
     // Where it is by now; not of aircraft, nor of who has left the map.
-    void log(Actor& actor) {
+    void log(Actor& actor) const {
         const bool left = actor.phase == Phase::arrived && scene_.mission.rules.at_goal == AtGoal::leave;
         if (actor.kind == AgentKind::ground && !left) actor.trail.add(actor.at(now_), now_);
     }
 
-    void stand(Actor& actor, Phase phase, double until = never) {
+    static void stand(Actor& actor, Phase phase, double until = never) {
         actor.phase = phase;
         actor.until = until;
     }
