@@ -55,8 +55,8 @@ struct Revision {
                               const State& state, double reaction = 0, const Method& method = {},
                               const Limits& limits = {});
 
-// Fills in Breach::if_failed of all breaches: plan B, for each the revision at the time at which it fails. `limits` hold
-// for each. REQUIRES: the plan is solved, and timing is enforced.
+// Fills in Breach::if_failed of all breaches: plan B, for each the revision at the time at which it fails. `limits`
+// hold for each. REQUIRES: the plan is solved, and timing is enforced.
 void add_if_failed(Planner& planner, const Map& map, const Mission& mission, Plan& plan, const Method& method = {},
                    const Limits& limits = {});
 
