@@ -170,7 +170,7 @@ class TeamJudge {
                 driven += std::hypot(path.path[k].x - path.path[k - 1].x, path.path[k].y - path.path[k - 1].y);
             }
             expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
-            const Point start = agent.from ? *agent.from : Point(agent.start);
+            const Point start = agent.from.value_or(Point(agent.start));
             const double straight = std::hypot(agent.goal.x - start.x, agent.goal.y - start.y);
             all_alone = all_alone && plan_.before.routes[i].length;
             const double length = plan_.before.routes[i].length.value_or(straight);

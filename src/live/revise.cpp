@@ -110,6 +110,19 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
     return true;
 }
 
+// Without a way for anybody.
+Plan no_plan_of(const Mission& mission) {
+    Plan none;
+    none.status = PlanStatus::no_plan;
+    none.before.routes.clear();
+    for (const Agent& agent : mission.agents) {
+        Route& route = none.before.routes.emplace_back(Route{agent.kind});
+        if (agent.kind == AgentKind::air) route.length = distance(agent.begin(), Point(agent.goal));
+    }
+    none.after = none.before;
+    return none;
+}
+
 // The plan of what is left. None where what was found lies at a start or a goal; an agent that joins is at fault
 // itself.
 Plan plan_of(Planner& planner, const Map& map, const Mission& mission, const State& state, const Method& method,
@@ -120,9 +133,7 @@ Plan plan_of(Planner& planner, const Map& map, const Mission& mission, const Sta
     const bool of_place = error.code == ErrorCode::no_room;
     const bool joins = std::ranges::find(state.joined, error.subject, &Agent::id) != state.joined.end();
     if (!of_place || joins) throw InputError(error.code, error.subject, error.detail);
-    Plan none;
-    none.status = PlanStatus::no_plan;
-    return none;
+    return no_plan_of(mission);
 }
 
 double reached(const Plan& plan, Objective objective) {
@@ -200,7 +211,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     }
     const std::vector<Found> found = live::found_by(map, state, stopped);
     Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
-    next.plan.status = PlanStatus::no_plan;
+    next.plan = no_plan_of(left);
     const auto drives = [&](std::size_t i) {
         return mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]);
     };

@@ -30,9 +30,13 @@ std::vector<ObstacleId> late_for(const Map& map, const Mission& mission, const P
             waited_for = opening.obstacle;
         }
     }
+    // Where no plan was found, the last of all.
+    const auto& opened = mission.rules.opened;
+    const auto last = std::ranges::max_element(opened, {}, &TimedOpening::at);
+    if (plan.status != PlanStatus::solved && last != opened.end()) return {last->obstacle};
     std::vector<ObstacleId> late;
-    for (const TimedOpening& opening : mission.rules.opened) {
-        const bool is_useless = plan.status == PlanStatus::solved && opening.at >= arrived;
+    for (const TimedOpening& opening : opened) {
+        const bool is_useless = opening.at >= arrived;
         if (is_useless || opening.obstacle == waited_for) late.push_back(opening.obstacle);
     }
     return late;
