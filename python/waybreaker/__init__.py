@@ -14,7 +14,7 @@ speeds are in: at speed 1, a cell takes one. Arrays are indexed [y, x]. Bad inpu
 from ._core import InputError, __version__
 from ._map import Attributes, Map, Obstacle, Place
 from ._mission import Agent, Aircraft, Cell, Limits, Method, Mission, Rules, Vehicle
-from ._plan import Breach, Itinerary, Moment, Order, Outcome, Plan
+from ._plan import Breach, IfFailed, Itinerary, Moment, Order, Outcome, Plan
 from ._planner import Violation, check, front, plan
 
 __all__ = [
@@ -23,6 +23,7 @@ __all__ = [
     "Attributes",
     "Breach",
     "Cell",
+    "IfFailed",
     "InputError",
     "Itinerary",
     "Limits",

@@ -6,65 +6,16 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "input_error.hpp"
-#include "random_map.hpp"
-#include "vehicle.hpp"
+#include "live/underway.hpp"
 
 namespace waybreaker {
 namespace {
-
-// Up to two vehicles and two aircraft.
-Mission any_mission(const PlainMap& plain) {
-    Mission mission;
-    const int vehicles = *number(1, 2);
-    for (int i = 0; i < vehicles; ++i) {
-        Agent rover = vehicle("rover" + std::to_string(i), any_free_cell(plain), any_free_cell(plain));
-        rover.speed = *rc::gen::element(0.5, 1.0, 2.0);
-        rover.ready_at = *rc::gen::element(0.0, 0.0, 3.0);
-        mission.agents.push_back(rover);
-    }
-    const int aircraft_count = *number(0, 2);
-    for (int i = 0; i < aircraft_count; ++i) {
-        mission.agents.push_back(
-            aircraft("heli" + std::to_string(i), any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 4.0)));
-    }
-    Rules& rules = mission.rules;
-    rules.removals = *number(0, 3);
-    rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
-    rules.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 2.5, 8.0);
-    rules.retries = *number(0, 1);
-    return mission;
-}
-
-struct Underway {
-    Map map;
-    Mission mission;
-    Plan plan = {};
-    State state = {};
-};
-
-Underway any_underway(int side) {
-    const PlainMap plain = *random_map(side, side);
-    Underway drawn{Map(plain.grid()), any_mission(plain)};
-    try {
-        validate(drawn.map, drawn.mission);
-    } catch (const InputError&) {
-        RC_DISCARD("two stand too near");
-    }
-    drawn.plan = Planner().plan(drawn.map, drawn.mission);
-    RC_PRE(drawn.plan.status == PlanStatus::solved);
-    double last = 0;
-    for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
-    drawn.state.sequence = 1;
-    drawn.state.now = last * *number(0, 100) / 100;
-    return drawn;
-}
 
 std::string faults(const Underway& old, const Revision& next) {
     std::string faults = plan_faults(next.map, next.mission, next.plan);
@@ -128,44 +79,6 @@ RC_GTEST_PROP(Revise, AfterAFailedBreachTheRestIsValid, ()) {
     const bool again =
         std::ranges::find(next.plan.breaches, failed.obstacle, &Breach::obstacle) != next.plan.breaches.end();
     if (old.mission.rules.retries == 0) RC_ASSERT(!again);
-}
-
-// Plan B of a breach is no better than a mission that has never had it.
-RC_GTEST_PROP(Revise, PlanBIsNoBetterThanWithoutTheObstacle, ()) {
-    Underway old = any_underway(12);
-    RC_PRE(!old.plan.breaches.empty());
-    old.mission.rules.retries = 0;
-    Planner planner;
-    add_if_failed(planner, old.map, old.mission, old.plan);
-    for (const Breach& breach : old.plan.breaches) {
-        RC_ASSERT(breach.if_failed.has_value());
-        Mission without = old.mission;
-        without.rules.protect.push_back(breach.obstacle);
-        const Plan fresh = planner.plan(old.map, without);
-        if (fresh.status == PlanStatus::no_plan) RC_ASSERT(std::isinf(breach.if_failed->objective));
-        if (fresh.bound) RC_ASSERT(breach.if_failed->objective >= *fresh.bound * (1 - 1e-9));
-        RC_ASSERT(std::ranges::find(breach.if_failed->removed, breach.obstacle) == breach.if_failed->removed.end());
-    }
-}
-
-TEST(Revise, PlanBSaysWhatIsRemovedBeforeAndAfter) {
-    // Two walls; the second has another opening, farther away.
-    const Map map = Map::from_rows({
-        "...A..B..",
-        "...A..C..",
-        "...A..C..",
-        "...A..C..",
-    });
-    Mission mission = ground_and_air({0, 0}, {8, 0});
-    mission.rules.breach_time.per_obstacle = 1;
-    Plan plan = Planner().plan(map, mission);
-    ASSERT_EQ(plan.breaches.size(), 2U);
-    Planner planner;
-    add_if_failed(planner, map, mission, plan);
-    EXPECT_TRUE(std::isinf(plan.breaches[0].if_failed.value_or(IfFailed{}).objective));
-    const IfFailed second = plan.breaches[1].if_failed.value_or(IfFailed{});
-    EXPECT_GT(second.objective, *plan.after.makespan);
-    EXPECT_EQ(second.removed.size(), 2U);
 }
 
 // Agents that are late, lost or have stopped, cells that are blocked: whatever is planned is valid.
