@@ -12,6 +12,7 @@
 #include "measure.hpp"
 #include "overlay_options.hpp"
 #include "plan_exports.hpp"
+#include "robust.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker::apps {
@@ -64,6 +65,7 @@ struct PlanOptions {
     std::string html;
     std::string trace;
     PlanExports exports;
+    RobustOptions robust;
     bool paper = false;
     bool removals_auto = false;  // as many removals as gain anything
     bool animate = false;        // the picture plays the plan
