@@ -114,7 +114,7 @@ std::string event_without_plan(const RevisionHead& head, const Revision& revisio
     Json event = head_json(head);
     if (revision.status == RevisionStatus::no_plan) event["reason"] = to_string(revision.plan.status);
     event["halts"] = Json::array();
-    for (const Halt& halt : revision.halts)
+    for (const Halt& halt : revision.plan.revised->halts)
         event["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", halt.by}});
     return event.dump();
 }
