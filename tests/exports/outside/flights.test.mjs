@@ -29,7 +29,8 @@ const names = ["DO_SET_RELAY", "DO_REPEAT_RELAY", "DO_SET_SERVO", "DO_REPEAT_SER
   "NAV_PAYLOAD_PLACE"];
 for (const name of names) {
   test(`${name} has MAVLink's number`, () => {
-    const flight = waybreaker("export", map, "plan.json", "--altitude", "60", "--breach-command", `${name}:1`, "--qgc", "-");
+    const options = ["--altitude", "60", "--breach-command", `${name}:1`, "--qgc", "-"];
+    const flight = waybreaker("export", map, "plan.json", ...options);
     assert.equal(JSON.parse(flight).mission.items[3].command, MavCmd[name]);
   });
 }

@@ -15,8 +15,8 @@ import { file, json, map, plan, waybreaker } from "./waybreaker.mjs";
 plan("--breach-time", "200s", "--vda5050", "orders.json");
 const now = Date.parse(json("orders.json").orders[1].timestamp) / 1000;
 const breach = json("plan.json").removed.filter((one) => one.cleared_at < now).at(-1);
-const failed = { format: "waybreaker-state/1", sequence: 1, now, failed: [{ obstacle: breach.obstacle, at: breach.cleared_at }] };
-writeFileSync(file("state.json"), JSON.stringify(failed));
+const failed = [{ obstacle: breach.obstacle, at: breach.cleared_at }];
+writeFileSync(file("state.json"), JSON.stringify({ format: "waybreaker-state/1", sequence: 1, now, failed }));
 waybreaker("revise", map, "plan.json", "--state", "state.json", "--json", "new.json");
 waybreaker("export", map, "new.json", "--vda5050", "revised.json");
 
@@ -92,7 +92,12 @@ before(async () => {
     { manufacturer: "waybreaker", serialNumber: "ground" },
     { interfaceName: "field", transport: { brokerUrl }, vdaVersion: "2.0.0" },
     { agvAdapterType: vda5050.VirtualAgvAdapter, publishVisualizationInterval: 0 },
-    { initialPosition: { mapId, x, y, theta: 0, lastNodeId: "start" }, vehicleSpeed: 100, tickRate: 50, timeLapse: 300 });
+    {
+      initialPosition: { mapId, x, y, theta: 0, lastNodeId: "start" },
+      vehicleSpeed: 100,
+      tickRate: 50,
+      timeLapse: 300,
+    });
   await vehicle.start();
 });
 
