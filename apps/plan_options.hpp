@@ -11,6 +11,7 @@
 #include "io/mission_json.hpp"
 #include "measure.hpp"
 #include "overlay_options.hpp"
+#include "page_planner.hpp"
 #include "plan_exports.hpp"
 #include "waybreaker/method.hpp"
 
@@ -62,6 +63,7 @@ struct PlanOptions {
     std::string svg;
     std::string png;
     std::string html;
+    SteerableOptions steerable;
     std::string trace;
     PlanExports exports;
     bool paper = false;
