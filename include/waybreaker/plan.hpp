@@ -73,6 +73,14 @@ struct Order {
     double slack = 0;  // how late `before` may be until `after` is put off, everybody else as planned; units of time
 };
 
+// Plan B: what a mission comes to where a breach turns out to have failed when it was to be done, all else as planned
+// until then.
+struct IfFailed {
+    double objective = 0;                  // +infinity: there is no plan then, or a vehicle cannot stop any more
+    std::vector<ObstacleId> removed = {};  // all that are, before the failure and after it; none without a plan
+    friend bool operator==(const IfFailed&, const IfFailed&) = default;
+};
+
 // One obstacle an air agent removes.
 struct Breach {
     ObstacleId obstacle = {};
@@ -85,6 +93,7 @@ struct Breach {
     // What the objective would lose if this one had to stay; if asked for (below 0: it gains; +infinity: there is no
     // plan then).
     std::optional<double> saves = {};
+    std::optional<IfFailed> if_failed = {};  // if asked for (with_plan_b of revise.hpp)
     // Of a team's plan: the air agent that breaches it, and when it begins to.
     std::string by = {};
     std::optional<double> begun_at = {};

@@ -32,4 +32,10 @@ struct Revision {
                               const State& state, double reaction = 0, const Method& method = {},
                               const Limits& limits = {});
 
+// The plan with Breach::if_failed of all its breaches: for each, what comes of the revision at the moment at which it
+// turns out to have failed. limits.seconds are those of all together; of what was not found out in that time, nothing
+// is said. REQUIRES: the plan is one of that mission on that map, or a revision, it is solved, and timing is enforced.
+[[nodiscard]] Plan with_plan_b(Planner& planner, const Map& map, const Mission& mission, Plan plan,
+                               const Method& method = {}, const Limits& limits = {});
+
 }  // namespace waybreaker

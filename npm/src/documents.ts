@@ -140,6 +140,8 @@ export interface Removal {
   /** When a vehicle first touches it; null: never. */
   entered_at: number | null;
   saves?: number | null;
+  /** Plan B, of plans made with --plan-b: what the objective comes to if this breach fails; null: there is no plan. */
+  if_failed?: { objective: number | null; removed: number[] };
 }
 
 export interface Wait {

@@ -14,7 +14,7 @@ speeds are in: at speed 1, a cell takes one. Arrays are indexed [y, x]. Bad inpu
 from ._core import InputError, __version__
 from ._map import Attributes, Map, MapEdit, Obstacle, Place
 from ._mission import Agent, Aircraft, Cell, Limits, Method, Mission, Rules, Vehicle
-from ._plan import Breach, Decision, Halt, Itinerary, Moment, Order, Outcome, Plan, Revision
+from ._plan import Breach, Decision, Halt, IfFailed, Itinerary, Moment, Order, Outcome, Plan, Revision
 from ._planner import Violation, check, front, plan, revise
 from ._state import AgentState, Found, Opening, State
 
@@ -28,6 +28,7 @@ __all__ = [
     "Decision",
     "Found",
     "Halt",
+    "IfFailed",
     "InputError",
     "Itinerary",
     "Limits",

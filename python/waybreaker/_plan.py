@@ -36,12 +36,25 @@ class Outcome:
 
 
 @dataclass(frozen=True)
+class IfFailed:
+    """Plan B: what a mission comes to if a breach fails when it is tried.
+
+    ``objective`` is in units of time, None where there is no plan then. ``removed`` are the ids of all obstacles that
+    are removed then.
+    """
+
+    objective: Optional[float]
+    removed: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Breach:
     """An obstacle that an aircraft removes.
 
     ``obstacle`` is its id, ``at`` the cell from which ``by`` breaches it. It is gone at ``cleared_at``; a vehicle
     first touches it at ``entered_at`` (None: never). ``area_m2`` is known where the map knows how large a cell is,
-    ``saves``, what the objective would lose if it had to stay, with ``explain``.
+    ``saves``, what the objective would lose if it had to stay, with ``explain``; ``if_failed``, of plan files made with
+    ``--plan-b``.
     """
 
     obstacle: int
@@ -53,6 +66,7 @@ class Breach:
     area_m2: Optional[float]
     saves: Optional[float]
     name: str
+    if_failed: Optional[IfFailed] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -281,6 +295,12 @@ def _cell(document: Any) -> Cell:
     return x, y
 
 
+def _if_failed(document: Optional[dict[str, Any]]) -> Optional[IfFailed]:
+    if document is None:
+        return None
+    return IfFailed(document["objective"], tuple(document["removed"]))
+
+
 def _breach(document: dict[str, Any], aircraft: list[str]) -> Breach:
     return Breach(
         obstacle=document["obstacle"],
@@ -292,6 +312,7 @@ def _breach(document: dict[str, Any], aircraft: list[str]) -> Breach:
         area_m2=document.get("area_m2"),
         saves=document.get("saves"),
         name=document.get("name", ""),
+        if_failed=_if_failed(document.get("if_failed")),
     )
 
 

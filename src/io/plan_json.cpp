@@ -142,6 +142,11 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     json["cleared_at"] = number(breach.cleared_at);
     json["entered_at"] = number(breach.entered_at);
     if (breach.saves) json["saves"] = number(breach.saves);
+    if (breach.if_failed) {
+        Json& if_failed = json["if_failed"] = {{"objective", number(breach.if_failed->objective)}};
+        if_failed["removed"] = Json::array();
+        for (const ObstacleId id : breach.if_failed->removed) if_failed["removed"].push_back(id.value);
+    }
     return json;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/range.hpp"
+#include "core/stopwatch.hpp"
 #include "live/base.hpp"
 #include "live/left.hpp"
 #include "live/remainder.hpp"
@@ -22,6 +23,9 @@ using live::Base;
 using live::Outlook;
 using live::Position;
 using live::Report;
+
+// What planning gets even where the time is over.
+constexpr double least_seconds = 1e-3;
 
 // Whether an agent takes no further part.
 bool is_out(const Position& position) {
@@ -221,6 +225,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
                 double reaction, const Method& method, const Limits& limits) {
     if (state.sequence <= (plan.revised ? plan.revised->sequence : 0))
         return {RevisionStatus::unchanged, map, mission, plan};
+    const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
     const Report report{map, mission, plan, state, state.now + reaction};
@@ -241,11 +246,14 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     } else {
         next.status = RevisionStatus::broken;
         const auto plan_left = [&](const Mission& placed) {
-            return plan_of(planner, next.map, placed, state, method, limits, revised.reason);
+            Limits left_over = limits;
+            left_over.seconds = std::max(deadline.left(), least_seconds);
+            return plan_of(planner, next.map, placed, state, method, left_over, revised.reason);
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
             if (!place_agents(report, positions, outlooks, next.map, placing, placed)) continue;
+            if (next.status == RevisionStatus::no_plan && same_bases(placed, next.mission)) break;  // known already
             next.mission = std::move(placed);
             next.plan = plan_left(next.mission);
             next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
