@@ -98,7 +98,7 @@ def test_revision_is_revised(wall_map: wb.Map, plan: wb.Plan) -> None:
 def test_broken(wall_map: wb.Map, plan: wb.Plan) -> None:
     """The street is blocked right ahead of the vehicle, which knows of the new plan too late."""
     ground = plan["ground"]
-    now = float(ground.times[0]) + 1
+    now = float(ground.times[-1]) / 4
     x, y = np.rint(ground.at(now + 3)).astype(int)
     state = wb.State(1, now, found=[wb.Found([(int(x), int(y))])])
     broken = wb.revise(wall_map, plan, state, reaction=20)
