@@ -15,7 +15,10 @@ export function server(answer: (message: FromWorker) => void): (message: ToWorke
   function make(id: number, { maker, parameters, edits }: Recipe): MapFacts {
     const make = planner![maker] as (...parameters: unknown[]) => PlannerMap;
     const map = make.apply(planner, parameters);
-    return keep(id, edits.length === 0 ? map : map.with(edits));
+    if (edits.length === 0) return keep(id, map);
+    const edited = map.with(edits);
+    map.free();
+    return keep(id, edited);
   }
 
   function run({ map: id, method, parameters }: Call): unknown {

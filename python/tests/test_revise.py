@@ -86,7 +86,7 @@ def test_report_that_is_known_changes_nothing(wall_map: wb.Map, plan: wb.Plan) -
 
 
 def test_revision_is_revised(wall_map: wb.Map, plan: wb.Plan) -> None:
-    first = wb.revise(wall_map, plan, failed(plan), reaction=1)
+    first = wb.revise(wall_map, plan, failed(plan))
     later = wb.State(2, failed(plan).now + 2, found=[wb.Found([(25, 10)])])
     second = wb.revise(wall_map, first, later)
     assert second.revision and second.revision.number == 2
@@ -98,7 +98,7 @@ def test_revision_is_revised(wall_map: wb.Map, plan: wb.Plan) -> None:
 def test_broken(wall_map: wb.Map, plan: wb.Plan) -> None:
     """The street is blocked right ahead of the vehicle, which knows of the new plan too late."""
     ground = plan["ground"]
-    now = float(ground.times[0]) + 1
+    now = float(ground.times[-1]) / 4
     x, y = np.rint(ground.at(now + 3)).astype(int)
     state = wb.State(1, now, found=[wb.Found([(int(x), int(y))])])
     broken = wb.revise(wall_map, plan, state, reaction=20)
@@ -132,7 +132,7 @@ def test_documents_as_dicts_and_texts(wall_map: wb.Map, plan: wb.Plan) -> None:
 
 def test_refusals(wall_map: wb.Map, wall: NDArray[np.bool_], plan: wb.Plan) -> None:
     state = failed(plan)
-    with pytest.raises(wb.InputError, match="^state: obstacle 9"):
+    with pytest.raises(wb.InputError, match="^state: opened obstacle 9"):
         wb.revise(wall_map, plan, wb.State(1, 5, opened=[wb.Opening(9, 4)]))
     with pytest.raises(wb.InputError, match="^state.*sequence"):
         wb.revise(wall_map, plan, wb.State(0, 5))

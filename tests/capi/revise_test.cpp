@@ -75,8 +75,8 @@ TEST_F(CRevise, SaysWhoMustStop) {
     ASSERT_EQ(document["revision"]["halts"].size(), 1U);
     const Json& halt = document["revision"]["halts"][0];
     EXPECT_EQ(halt["agent"], "rover");
-    EXPECT_GE(halt["by"], 1);
-    EXPECT_LT(halt["by"], 2);
+    EXPECT_GT(halt["by"], 1);
+    EXPECT_LT(halt["by"], 3) << "it leaves at 1, and touches the cell one cell further on";
 }
 
 TEST_F(CRevise, KnowsWhatWasFoundFromThePlanAlone) {
