@@ -12,6 +12,7 @@
 #include "io/plan_file.hpp"
 #include "mapfile/map_reader.hpp"
 #include "option.hpp"
+#include "page_planner.hpp"
 #include "plan_exports.hpp"
 #include "progress.hpp"
 #include "studio/plan_html.hpp"
@@ -25,6 +26,7 @@ struct ExportOptions {
     std::string plan;
     PlanExports exports;
     std::string html;
+    SteerableOptions steerable;
     bool ignore_digest = false;
 };
 
@@ -45,6 +47,14 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
     }
 }
 
+std::string html(const ExportOptions& options, const std::string& text, const io::PlanFile& plan,
+                 const io::MapFile& map) {
+    if (!options.steerable.asked) return studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}});
+    if (plan.plan.status != PlanStatus::solved)
+        throw InputError(options.plan, 0, "has no plan, which --steerable could begin with");
+    return studio::steerable_html(map, plan.connectivity, text, packed_page_planner(options.steerable));
+}
+
 void run(const ExportOptions& options) {
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
@@ -60,8 +70,7 @@ void run(const ExportOptions& options) {
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
     auto files = export_plan(options.exports, plan.plan, map, plan.asked);
-    if (!options.html.empty())
-        files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
+    if (!options.html.empty()) files.emplace_back(options.html, html(options, text, plan, map));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }
 
@@ -78,6 +87,7 @@ void setup_export(CLI::App& root, Run& run_chosen) {
     add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it; or -")->required();
     add_plan_exports(*command, options->exports);
     add_file(*command, "--html", options->html, "Write a page for a browser that plays the plan");
+    add_steerable(*command, options->steerable);
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",

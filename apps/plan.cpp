@@ -155,7 +155,13 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     }
     if (!options.png.empty())
         outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture)));
-    if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
+    if (options.steerable.asked) {
+        outputs.emplace_back(options.html,
+                             studio::steerable_html(file, context.connectivity, io::plan_json(plan, context),
+                                                    packed_page_planner(options.steerable)));
+    } else if (!options.html.empty()) {
+        outputs.emplace_back(options.html, html(context, explained, limits, deadline));
+    }
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, asked.mission, asked.method));
     }

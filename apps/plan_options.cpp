@@ -268,6 +268,7 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--png", options.png, "Write a picture");
     add_file(command, "--html", options.html,
              "Write a page for a browser that plays the plan: one file, no network needed");
+    add_steerable(command, options.steerable);
     add_file(command, "--trace", options.trace,
              "Write every step of the first ground search, for the Posthoc search visualiser (NAME.trace.json)");
     add_plan_exports(command, options.exports);

@@ -11,6 +11,7 @@
 #include "io/mission_json.hpp"
 #include "measure.hpp"
 #include "overlay_options.hpp"
+#include "page_planner.hpp"
 #include "plan_exports.hpp"
 #include "robust.hpp"
 #include "waybreaker/method.hpp"
@@ -63,6 +64,7 @@ struct PlanOptions {
     std::string svg;
     std::string png;
     std::string html;
+    SteerableOptions steerable;
     std::string trace;
     PlanExports exports;
     RobustOptions robust;

@@ -41,9 +41,8 @@ struct RehearseOptions {
 
 RehearsedPlan rehearsed(const RehearseOptions& options, const io::PlanFile& file, const std::string& name,
                         const io::MapFile& base) {
+    io::require_map_of(file, base, name);
     io::MapFile map = io::known_map(base, file.plan);
-    if (!file.digest.empty() && (file.width != map.map.width() || file.height != map.map.height()))
-        throw InputError(name, 0, "was made for another map");
     if (const auto weighed = io::reweighed(file, map, {})) map.map = *weighed;
     Progress progress("rehearsing " + name);
     RehearsalOptions asked = options.rehearsal;

@@ -73,6 +73,7 @@ std::string summary(const Revision& revision) {
         }
         throw NoPlan(text);
     }
+    if (!revision.reason.empty()) throw NoPlan("no plan: " + revision.reason);
     if (revision.plan.status == PlanStatus::no_plan) throw NoPlan("no plan: what is left of the mission has none");
     throw NoPlanFound("no plan of what is left of the mission was found; raise --time-limit");
 }
@@ -88,8 +89,9 @@ void run(const ReviseOptions& options) {
     const State state = io::read_state_file(options.state);
     io::MapFile map = [&] {
         const Progress progress("reading " + io::input_name(options.map));
-        return io::known_map(
-            to_plan_on(overlays, mapfile::read_map_file(options.map, before.connectivity, before.image)), before.plan);
+        io::MapFile read = to_plan_on(overlays, mapfile::read_map_file(options.map, before.connectivity, before.image));
+        io::require_map_of(before, read, io::input_name(options.plan));
+        return io::known_map(std::move(read), before.plan);
     }();
     if (const auto weighed = io::reweighed(before, map, {})) map.map = *weighed;
     Planner planner;

@@ -24,9 +24,9 @@
 
 namespace waybreaker {
 
-// `unchanged`: the plan knows that report already. `kept`: nothing better was found than the rest of the plan.
-// `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an agent is bound to meet
-// what is in its way, unless it stops (Revision::halts).
+// `unchanged`: the plan knows that report already; it is looked at no further. `kept`: nothing better was found than
+// the rest of the plan. `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an
+// agent is bound to meet what is in its way, unless it stops (Revision::halts).
 enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<RevisionStatus>{"unchanged", "kept", "revised", "no_plan",
@@ -45,6 +45,7 @@ struct Revision {
     Mission mission = {};          // what is left of it
     Plan plan = {};                // of that; its paths begin at State::now
     std::vector<Halt> halts = {};  // if broken
+    std::string reason = {};       // of `no_plan`, where it is no search that says so: for a person, one line
 };
 
 // Pure: the same arguments, the same revision, time limits aside. `plan` is one of that mission on that map, or a

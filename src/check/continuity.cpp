@@ -121,7 +121,8 @@ class ContinuityJudge {
         const AgentState* state = named(state_.agents, was.id);
         const Agent* is = named(mission_.agents, was.id);
         if (is_out(state)) {
-            if (is != nullptr) say("the " + was.id + " agent takes no further part, and has a path", was.id);
+            if (named(plan_.agents, was.id) != nullptr)
+                say("the " + was.id + " agent takes no further part, and has a path", was.id);
             return;
         }
         if (is == nullptr) return say("the " + was.id + " agent is missing", was.id);
@@ -136,7 +137,8 @@ class ContinuityJudge {
         for (const Decision& d : decisions_) {
             if (d.agent == was.id) decision = &d;
         }
-        if (path == nullptr || old == nullptr || decision == nullptr || decision->point >= path->path.size())
+        if (path == nullptr || old == nullptr || decision == nullptr || decision->point >= path->path.size() ||
+            old->path.empty())
             return say("the plan does not say where the " + was.id + " agent decides", was.id);
         judge_base(*path, *old, *decision, state);
     }

@@ -11,6 +11,7 @@
 #include "io/surface_judge.hpp"
 #include "io/weights.hpp"
 #include "site/demolition.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -120,6 +121,16 @@ std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const Ju
     };
     if (plan.weights.empty() || !std::ranges::all_of(plan.weights, counts_cells)) return std::nullopt;
     return map.with_weights(cell_weights(map));
+}
+
+void require_map_of(const PlanFile& plan, const MapFile& map, const std::string& name) {
+    const Violations size = judge_size(plan, map.map);
+    if (!size.empty()) throw InputError(name, 0, size.front().message);
+    if (plan.digest == map.digest) return;
+    const bool lacks_overlays = map.overlays.empty() && !plan.asked.overlays.empty();
+    throw InputError(name, 0,
+                     lacks_overlays ? judge_digest(plan, map).front().message
+                                    : "the plan was made for another map file: the digests differ");
 }
 
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {

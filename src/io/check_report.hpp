@@ -23,6 +23,9 @@ struct JudgeOptions {
 // their number of cells, where the plan says that of all it removes.
 std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options);
 
+// Throws InputError, with the name of the plan's file, unless it was made for that map.
+void require_map_of(const PlanFile& plan, const MapFile& map, const std::string& name);
+
 // What is wrong with the plan, that it was made for another map included.
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
 

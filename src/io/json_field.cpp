@@ -20,6 +20,8 @@ JsonDocument parse_json(std::string_view text, const std::string& file, int max_
         if (depth > max_depth) fail(depth_at(text, max_depth), "its values are nested too deep");
         return true;
     };
+    // To the parser it is the end of the text.
+    if (const std::size_t null = text.find('\0'); null != text.npos) fail(null, "this is not JSON: it has a null byte");
     try {
         JsonDocument document{text, file, nlohmann::json::parse(text, not_too_deep)};
         // The parser takes the last of them; who wrote the file may have meant another.

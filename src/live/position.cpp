@@ -72,8 +72,4 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
     return position;
 }
 
-Waypoint Position::when(double time) const {
-    return place_on(ahead, time);
-}
-
 }  // namespace waybreaker::live

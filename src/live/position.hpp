@@ -20,8 +20,6 @@ struct Position {
                                   // earliest: it drives at its speed, and leaves no place before it was to
 
     bool finished() const { return ahead.size() == 1; }
-    // Where it is at a time on that path, and the first point ahead then, in `ahead`.
-    Waypoint when(double time) const;
 };
 
 // `state`: what is reported of it, or none.

@@ -136,16 +136,19 @@ Plan no_plan_of(const Mission& mission) {
     return none;
 }
 
-// The plan of what is left. None where what was found lies at a start or a goal; an agent that joins is at fault
-// itself.
+// The plan of what is left. None where what was found lies at a start or a goal, which is the `reason`; a state is at
+// fault that has an agent join, or go, where there is no room.
 Plan plan_of(Planner& planner, const Map& map, const Mission& mission, const State& state, const Method& method,
-             const Limits& limits) {
+             const Limits& limits, std::string& reason) {
     Expected<Plan> planned = planner.try_plan(map, mission, method, limits);
     if (planned) return *std::move(planned);
     const Error& error = planned.error();
     const bool of_place = error.code == ErrorCode::no_room;
     const bool joins = std::ranges::find(state.joined, error.subject, &Agent::id) != state.joined.end();
-    if (!of_place || joins) throw InputError(error.code, error.subject, error.detail);
+    const bool is_sent = std::ranges::any_of(
+        state.agents, [&](const AgentState& agent) { return agent.id == error.subject && agent.goal; });
+    if (!of_place || joins || is_sent) throw InputError(error.code, error.subject, error.detail);
+    reason = error.detail;
     return no_plan_of(mission);
 }
 
@@ -204,16 +207,34 @@ void keep_if_no_worse(const Report& report, std::span<const Position> positions,
     next.plan = *std::move(rest);
 }
 
+// A vehicle of the plan, or one that joins.
+bool any_drives(const Report& report, std::span<const Position> positions) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (report.mission.agents[i].kind == AgentKind::ground && !is_out(positions[i])) return true;
+    }
+    return std::ranges::find(report.state.joined, AgentKind::ground, &Agent::kind) != report.state.joined.end();
+}
+
+// What the plan after this one says of itself; not yet where agents decide.
+Revised after(const Plan& plan, const State& state, std::span<const Found> found) {
+    Revised revised = plan.revised.value_or(Revised{.number = 0});
+    ++revised.number;
+    revised.sequence = state.sequence;
+    revised.now = state.now;
+    revised.decisions.clear();
+    revised.found.insert(revised.found.end(), found.begin(), found.end());
+    return revised;
+}
+
 }  // namespace
 
 Revision revise(Planner& planner, const Map& map, const Mission& mission, const Plan& plan, const State& state,
                 double reaction, const Method& method, const Limits& limits) {
     const Deadline deadline(limits.seconds);
+    if (state.sequence <= (plan.revised ? plan.revised->sequence : 0))
+        return {RevisionStatus::unchanged, map, mission, plan};
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (state.sequence <= (plan.revised ? plan.revised->sequence : 0)) {
-        return {RevisionStatus::unchanged, map, mission, plan};
-    }
     const Report report{map, mission, plan, state, state.now + reaction};
     const std::vector<Position> positions = live::positions_of(report);
     const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);
@@ -226,23 +247,15 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const std::vector<Found> found = live::found_by(map, state, stopped);
     Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
     next.plan = no_plan_of(left);
-    const auto drives = [&](std::size_t i) {
-        return mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]);
-    };
-    bool any = !state.joined.empty();
-    for (std::size_t i = 0; i < positions.size(); ++i) any = any || drives(i);
-    Revised revised = plan.revised.value_or(Revised{.number = 0});
-    ++revised.number;
-    revised.sequence = state.sequence;
-    revised.now = state.now;
-    revised.decisions.clear();
-    revised.found.insert(revised.found.end(), found.begin(), found.end());
-    if (any) {
+    Revised revised = after(plan, state, found);
+    if (!any_drives(report, positions)) {
+        next.reason = "no vehicle is left to drive";
+    } else {
         next.status = RevisionStatus::broken;
         const auto plan_left = [&](const Mission& placed) {
             Limits left_over = limits;
             left_over.seconds = std::max(deadline.left(), least_seconds);
-            return plan_of(planner, next.map, placed, state, method, left_over);
+            return plan_of(planner, next.map, placed, state, method, left_over, next.reason);
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
@@ -254,6 +267,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
+        if (next.status != RevisionStatus::no_plan) next.reason.clear();
         if (next.status == RevisionStatus::broken) {
             next.halts = halts_of({next.map, left.rules.opened}, report, positions);
         } else {

@@ -15,6 +15,7 @@
 #include "mission/agent_order.hpp"
 #include "mission/alternatives.hpp"
 #include "mission/candidate_plan.hpp"
+#include "mission/entries.hpp"
 #include "mission/explain.hpp"
 #include "mission/instead.hpp"
 #include "mission/late_openings.hpp"
@@ -102,16 +103,7 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
-    for (Breach& breach : plan.breaches) {
-        breach.entered_at.reset();
-        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-            if (plan.agents[i].kind == AgentKind::air) continue;
-            const auto entered = first_touch(map, breach.obstacle, plan.agents[i].path, mission.agents[i].body.reach());
-            if (entered && (!breach.entered_at || *entered < *breach.entered_at)) breach.entered_at = entered;
-        }
-        if (breach.entered_at && mission.rules.timing == Timing::enforce)
-            breach.entered_at = std::max(*breach.entered_at, breach.cleared_at);
-    }
+    add_entries(map, mission, plan);
 }
 
 Plan finished(const Map& map, const Mission& mission, Plan plan) {

@@ -224,7 +224,7 @@ Route get(const std::string& path, std::function<Answer(Call)> handle) {
 }
 
 // A public document that is ready to send.
-Route ready(const std::string& path, const std::string& document) {
+Route ready(const std::string& path, std::string_view document) {
     const auto body = std::make_shared<const std::string>(document);
     const auto handle = [body](const Call&) { return ok_response({body, *body}); };
     return {"GET", path, http::BodyType::none, true, handle, true};

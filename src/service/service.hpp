@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "service/limits.hpp"
@@ -50,9 +51,9 @@ class Service {
     std::unique_ptr<Impl> impl_;
 };
 
-// The served description of the service, OpenAPI 3.1.
-std::string openapi_json();
-// JSON Schema of the mission file.
-std::string mission_schema();
+// The served description of the service, OpenAPI 3.1 (defined by the build, of openapi.json).
+std::string_view openapi_json();
+// JSON Schema of the mission file (of mission.schema.json).
+std::string_view mission_schema();
 
 }  // namespace waybreaker::service

@@ -16,7 +16,7 @@ it("a link restores the mission", async () => {
   await page.page.getByRole("slider", { name: "Removals" }).focus();
   await page.page.keyboard.press("ArrowRight");
   await page.page.getByRole("button", { name: /^Protect / }).first().click();
-  await expect.poll(async () => (await page.plan()).options.protect ?? [], { timeout: 10_000 }).toHaveLength(1);
+  await expect.poll(async () => (await page.plan()).options.protect ?? []).toHaveLength(1);
   await page.settled();
   await expect.poll(() => page.page.url()).toContain("protect=");
   const plan = await page.plan();
@@ -37,7 +37,7 @@ it("a link keeps a drawing of many strokes, which a file brings, too", async () 
   const page = await setting.settled({ query: "#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1" });
   const { digest } = (await page.plan()).map;
   await page.page.getByLabel("File to open").setInputFiles(file);
-  await expect.poll(() => page.page.url(), { timeout: 10_000 }).toContain("#z=");
+  await expect.poll(() => page.page.url()).toContain("#z=");
   await page.page.getByText(/^Drawn: /).waitFor();
   const drawn = await page.page.getByText(/^Drawn: /).innerText();
   const link = page.page.url();
@@ -46,7 +46,7 @@ it("a link keeps a drawing of many strokes, which a file brings, too", async () 
   expect(await studio.page.getByText(/^Drawn: /).innerText()).toBe(drawn);
   await studio.page.goto(`${setting.server.url}/#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1`); // the same page
   await studio.settled();
-  await expect.poll(async () => (await studio.plan()).map.digest, { timeout: 10_000 }).toBe(digest);
+  await expect.poll(async () => (await studio.plan()).map.digest).toBe(digest);
 });
 
 it("a link and a plan's file bring back its mission", async () => {

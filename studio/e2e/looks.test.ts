@@ -117,7 +117,7 @@ it("keeps names in their place, whatever is in them", async () => {
   writeFileSync(file, JSON.stringify({ format: "waybreaker-mission/1", agents, rules: { removals: 2 } }));
   await page.getByLabel("File to open").setInputFiles(file);
   const name = page.locator(".agent-name .name").nth(1);
-  await expect.poll(() => name.innerText(), { timeout: 20_000 }).toBe("רכב 12");
+  await expect.poll(() => name.innerText()).toBe("רכב 12");
   expect(await name.evaluate((one) => one.tagName)).toBe("BDI");
   await page.locator(".removed-table").waitFor();
   expect(await studio!.cutOff(".agent-table, .removed-table, .agent-table td, .removed-table td")).toEqual([]);

@@ -43,7 +43,7 @@ it("keeps a rule of a mission file, and plans as the command does", async () => 
   await studio.page.getByLabel("File to open").setInputFiles(file);
   const choice = studio.page.getByText(/^Protected: all barrier=fence, \d+ obstacles$/);
   await choice.waitFor();
-  await expect.poll(async () => essence(await studio.plan()), { timeout: 20_000 }).toEqual(essence(expected));
+  await expect.poll(async () => essence(await studio.plan())).toEqual(essence(expected));
   await studio.settled();
   expect(await studio.page.getByRole("status").getByText(/Left out/).count()).toBe(0);
 
@@ -57,10 +57,10 @@ it("keeps a rule of a mission file, and plans as the command does", async () => 
   expect(document.rules).toMatchObject({ removals: 1, protect: [17, "barrier=fence"] });
   // As good: where the curve has it already, the page does not ask again, and the last answer may be for more removals.
   const { after } = planOfCommand(saved);
-  await expect.poll(async () => (await studio.plan()).after.makespan, { timeout: 20_000 }).toBe(after.makespan);
+  await expect.poll(async () => (await studio.plan()).after.makespan).toBe(after.makespan);
 
   await studio.page.getByRole("button", { name: /^Take back: Protected: all barrier=fence/ }).click();
-  await expect.poll(async () => (await studio.plan()).options.protect, { timeout: 20_000 }).toEqual([17]);
+  await expect.poll(async () => (await studio.plan()).options.protect).toEqual([17]);
   expect(await studio.accessibilityFaults()).toEqual([]);
   expect(studio.faults).toEqual([]);
   await studio.close();

@@ -62,7 +62,7 @@ describe("the mission", () => {
     await page.page.mouse.move(grip.x, grip.y);
     await page.page.mouse.down();
     for (let step = 1; step <= 10; ++step) await page.page.mouse.move(grip.x + 8 * step, grip.y - 4 * step);
-    await expect.poll(async () => (await page.figures())[0], { timeout: 10_000 }).not.toBe(before);
+    await expect.poll(async () => (await page.figures())[0]).not.toBe(before);
     await page.page.mouse.up();
     await page.settled();
     const to = await page.cellOf("Ground start");
@@ -84,10 +84,10 @@ describe("the mission", () => {
     await page.marker("Ground goal").focus();
     await page.page.keyboard.press("ArrowRight");
     await page.page.keyboard.press("Shift+ArrowDown");
-    await expect.poll(async () => (await page.cellOf("Ground goal"))[1], { timeout: 10_000 }).toBeGreaterThan(y);
+    await expect.poll(async () => (await page.cellOf("Ground goal"))[1]).toBeGreaterThan(y);
     const [right, down] = await page.cellOf("Ground goal");
     expect(right).toBeGreaterThan(x);
-    await expect.poll(async () => (await page.plan()).agents[0]!.goal, { timeout: 10_000 }).toEqual([right, down]);
+    await expect.poll(async () => (await page.plan()).agents[0]!.goal).toEqual([right, down]);
   });
 
   it("takes the number of removals from the slider, and the curve shows what each number reaches", async () => {
@@ -98,10 +98,10 @@ describe("the mission", () => {
     await page.settled();
     const [none] = await page.figures();
     await page.page.keyboard.press("End");
-    await expect.poll(async () => (await page.figures())[0]!, { timeout: 10_000 }).toBeLessThan(none!);
-    await expect.poll(async () => (await page.plan()).options.removals, { timeout: 10_000 }).toBe(8);
+    await expect.poll(async () => (await page.figures())[0]!).toBeLessThan(none!);
+    await expect.poll(async () => (await page.plan()).options.removals).toBe(8);
     const curve = page.page.getByRole("group", { name: "What each number of removals reaches" });
-    await expect.poll(() => curve.getByRole("button").count(), { timeout: 20_000 }).toBe(9);
+    await expect.poll(() => curve.getByRole("button").count()).toBe(9);
   });
 
   it("protects and forces obstacles, by name and from the table", async () => {
@@ -109,7 +109,7 @@ describe("the mission", () => {
     const first = (await page.plan()).removed[0]!.obstacle;
     const protect = page.page.getByRole("button", { name: /^Protect / }).first();
     await protect.click();
-    await expect.poll(async () => (await page.plan()).options.protect ?? [], { timeout: 10_000 }).toHaveLength(1);
+    await expect.poll(async () => (await page.plan()).options.protect ?? []).toHaveLength(1);
     await page.settled();
     const plan = await page.plan();
     expect(plan.removed.map((one) => one.obstacle)).not.toContain(plan.options.protect![0]);
@@ -117,7 +117,7 @@ describe("the mission", () => {
     expect(commandAccepts(plan, city)).toContain("valid");
     await page.page.getByRole("button", { name: "Undo" }).click();
     await page.page.getByRole("button", { name: /^Force / }).first().click();
-    await expect.poll(async () => (await page.plan()).options.force ?? [], { timeout: 10_000 }).toHaveLength(1);
+    await expect.poll(async () => (await page.plan()).options.force ?? []).toHaveLength(1);
     expect(commandAccepts(await page.plan(), city)).toContain("valid");
   });
 
@@ -153,7 +153,7 @@ describe("the mission", () => {
     await page.page.mouse.down();
     for (let step = 1; step <= 12; ++step) await page.page.mouse.move(spot.x, spot.y - 30 + 5 * step);
     await page.page.mouse.up();
-    await expect.poll(async () => (await page.plan()).map.digest, { timeout: 15_000 }).not.toBe(plan.map.digest);
+    await expect.poll(async () => (await page.plan()).map.digest).not.toBe(plan.map.digest);
     await page.settled();
     const saved = page.page.waitForEvent("download");
     await page.page.getByRole("region", { name: "Take it along" }).getByRole("button", { name: "Map file" }).click();
@@ -179,7 +179,7 @@ describe("a number", () => {
       await page.page.keyboard.type(typed);
       await page.page.keyboard.press("Tab");
       expect(await field.inputValue()).toBe(String(speed));
-      await expect.poll(speedOf, { timeout: 20_000 }).toBeCloseTo(speed, 6);
+      await expect.poll(speedOf).toBeCloseTo(speed, 6);
     }
     expect(page.faults).toEqual([]);
   });

@@ -100,7 +100,7 @@ export class StudioPage {
 
   // The answer of the server that the headline is about.
   async plan(): Promise<Plan> {
-    const until = Date.now() + 5000; // the page may have read the answer before it gets here
+    const until = Date.now() + 30_000; // the page may have read the answer before it gets here
     for (;;) {
       const [reached, before] = await this.figures();
       const plan = this.#answers.findLast(
@@ -142,18 +142,20 @@ export class StudioPage {
     });
   }
 
-  // Texts that cannot be read while the pointer is over what they stand on.
+  // Texts that cannot be read while the pointer is over what they stand on: as if it were over everything at once, for axe
+  // takes its time.
   async faultsWhenHovered(within: string): Promise<string[]> {
+    const tools = await this.page.context().newCDPSession(this.page);
+    await tools.send("DOM.enable");
+    await tools.send("CSS.enable");
+    const { root } = await tools.send("DOM.getDocument");
+    const holder = await tools.send("DOM.querySelector", { nodeId: root.nodeId, selector: within });
+    const selector = "button, a, summary, label, select, input, tr";
+    const { nodeIds } = await tools.send("DOM.querySelectorAll", { nodeId: holder.nodeId, selector });
+    for (const nodeId of nodeIds) await tools.send("CSS.forcePseudoState", { nodeId, forcedPseudoClasses: ["hover"] });
     await this.page.evaluate(axe);
-    const faults: string[] = [];
-    for (const one of await this.page.locator(within).locator("button, a, summary, label, select, input, tr").all()) {
-      if (!(await one.isVisible()) || (await one.isDisabled())) continue;
-      await one.scrollIntoViewIfNeeded();
-      const box = await one.boundingBox();
-      if (!box || box.width < 2) continue;
-      await this.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-      faults.push(...(await one.evaluate(unreadable)));
-    }
+    const faults = await this.page.locator(within).evaluate(unreadable);
+    await tools.detach();
     return faults;
   }
 

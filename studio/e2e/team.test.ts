@@ -48,7 +48,7 @@ it("opens the mission of a team, follows a marker, plays it, and takes another a
   await studio.page.mouse.up();
   const to = await studio.cellOf("Start of rover");
   expect(to).not.toEqual(from);
-  await expect.poll(async () => (await studio.plan()).agents[1]!.start, { timeout: 15_000 }).toEqual(to);
+  await expect.poll(async () => (await studio.plan()).agents[1]!.start).toEqual(to);
 
   await studio.page.getByRole("button", { name: "Play", exact: true }).click();
   const time = studio.page.getByRole("slider", { name: "Time of the mission" });
@@ -58,7 +58,7 @@ it("opens the mission of a team, follows a marker, plays it, and takes another a
 
   await studio.page.getByRole("button", { name: "Add aircraft" }).click();
   await table.getByRole("button", { name: "air1", exact: true }).waitFor();
-  await expect.poll(async () => (await studio.plan()).agents.length, { timeout: 15_000 }).toBe(4);
+  await expect.poll(async () => (await studio.plan()).agents.length).toBe(4);
   await studio.settled();
   expect(await studio.accessibilityFaults()).toEqual([]);
   await studio.page.getByRole("button", { name: "Undo" }).click();

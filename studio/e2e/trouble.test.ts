@@ -24,7 +24,7 @@ it("a file that is no map gets the server's words, and the mission stays", async
 it("a good file of one's own is opened", async () => {
   const page = await setting.settled();
   await page.page.getByLabel("File to open").setInputFiles(yardFile(scratch));
-  await expect.poll(async () => (await page.plan()).map.width, { timeout: 10_000 }).toBe(20);
+  await expect.poll(async () => (await page.plan()).map.width).toBe(20);
   await page.settled();
 });
 
@@ -38,7 +38,7 @@ it("a ROS map is opened by its YAML and image together, and an image alone says 
   await input.setInputFiles(yaml);
   await page.page.getByText("“floor.yaml” belongs to “floor.pgm”: choose both together.").waitFor();
   await input.setInputFiles([image, yaml]);
-  await expect.poll(async () => (await page.plan()).map.cell_size, { timeout: 10_000 }).toBe(0.5);
+  await expect.poll(async () => (await page.plan()).map.cell_size).toBe(0.5);
   await page.settled();
   expect(await page.page.getByLabel("About this map").innerText()).toMatch(/^8\.3 % of this map is unknown ground, without data: it bars the way\.$/);
   await input.setInputFiles(image);
@@ -49,7 +49,7 @@ it("a map that is gone is said, asked for once, and can be sent again", async ()
   const other = await Server.start();
   const studio = await setting.settled({}, `${other.url}/`);
   await studio.page.getByLabel("File to open").setInputFiles(yardFile(scratch));
-  await expect.poll(async () => (await studio.plan()).map.width, { timeout: 10_000 }).toBe(20);
+  await expect.poll(async () => (await studio.plan()).map.width).toBe(20);
   await studio.settled();
   await other.stop();
   const back = await Server.start(other.port);
@@ -85,6 +85,6 @@ it("a server that is gone is told of, and the page goes on when it is back", asy
   const back = await Server.start(other.port);
   await studio.page.getByText("The server does not answer").waitFor({ state: "detached" });
   const goal = await studio.cellOf("Ground goal");
-  await expect.poll(async () => (await studio.plan()).agents[0]!.goal, { timeout: 15_000 }).toEqual(goal);
+  await expect.poll(async () => (await studio.plan()).agents[0]!.goal).toEqual(goal);
   await back.stop();
 });

@@ -149,7 +149,7 @@ describe("a site", () => {
 
   it("works without a network after the first visit", async () => {
     const page = await opened();
-    await expect.poll(() => kept(page), { timeout: 60_000 }).toContain(`${host.url}maps/berlin-mitte.tif.json`);
+    await expect.poll(() => kept(page)).toContain(`${host.url}maps/berlin-mitte.tif.json`);
     const figures = await page.figures();
     await page.page.context().setOffline(true);
     await host.stop();
