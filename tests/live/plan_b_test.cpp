@@ -69,7 +69,8 @@ Mission begun_after(const Underway& old, std::size_t failed, const std::vector<A
     const double then = old.plan.breaches[failed].cleared_at;
     for (std::size_t i = 0; i < old.plan.breaches.size(); ++i) {
         const Breach& made = old.plan.breaches[i];
-        if (i == failed || made.cleared_at > then) continue;
+        // One that has begun by then is finished.
+        if (i == failed || made.cleared_at - old.mission.rules.breach_time.per_obstacle > then + 1e-9) continue;
         fresh.rules.opened.push_back({made.obstacle, made.cleared_at});
         --fresh.rules.removals;
     }
