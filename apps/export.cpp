@@ -32,7 +32,7 @@ struct ExportOptions {
 
 io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
     const Progress progress("reading " + io::input_name(options.map));
-    return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
+    return io::known_map(mapfile::read_map_file(options.map, plan.connectivity, plan.image), plan.plan);
 }
 
 // Writers trust a plan, so one that comes from a file is checked first.
@@ -56,6 +56,7 @@ std::string html(const ExportOptions& options, const std::string& text, const io
 }
 
 void run(const ExportOptions& options) {
+    validate(options.exports);
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
     const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
@@ -63,7 +64,8 @@ void run(const ExportOptions& options) {
     validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
         throw InputError(
-            "nothing to write: give --geojson, --csv, --ros-path, --opened-map, --xml, --gpx, --kml or --html");
+            "nothing to write: give --geojson, --csv, --ros-path, --ros-parts, --opened-map, --xml, --gpx, --kml, "
+            "--qgc, --vda5050 or --html");
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);
@@ -91,7 +93,9 @@ void setup_export(CLI::App& root, Run& run_chosen) {
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",
-                            "waybreaker export floor.yaml plan.json --ros-path path.yaml --csv waypoints.csv"});
+                            "waybreaker export floor.yaml plan.json --ros-path path.yaml --csv waypoints.csv",
+                            "waybreaker export floor.yaml plan.json --vda5050 orders.json",
+                            "waybreaker export data/berlin-mitte.tif plan.json --altitude 60 --qgc flight.plan"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }
 

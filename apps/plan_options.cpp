@@ -359,6 +359,7 @@ void validate(const PlanOptions& options) {
         throw InputError(fmt::format("{} compares plans that are best, which --gap contradicts; drop one of them",
                                      options.explain ? "--explain" : "--minimise-demolition"));
     }
+    validate(options.exports);
     NamedFiles outputs = named_outputs(options.exports);
     outputs.insert(outputs.begin(), {{"--json", options.json},
                                      {"--svg", options.svg},

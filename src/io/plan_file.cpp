@@ -15,8 +15,6 @@
 namespace waybreaker::io {
 namespace {
 
-constexpr int max_depth = 8;
-
 std::optional<double> number_or_null(const std::optional<JsonField>& field) {
     return field ? std::optional(field->number()) : std::nullopt;
 }
@@ -216,6 +214,14 @@ Revised revised(const JsonField& field) {
     result.number = int(field["number"].whole_number(1, INT_MAX));
     result.sequence = std::uint64_t(field["sequence"].whole_number(1, INT64_MAX));
     result.now = read_not_negative(field["now"]);
+    if (const auto status = field.find("status")) result.status = status->one_of(revision_words);
+    if (const auto reason = field.find("reason")) result.reason = reason->text();
+    if (const auto halts = field.find("halts")) {
+        for (const JsonField& item : halts->items()) {
+            result.halts.push_back({read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)),
+                                    read_not_negative(item["by"])});
+        }
+    }
     for (const JsonField& item : field["decided"].items()) {
         result.decisions.push_back(
             {read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)), item["time"].number()});
@@ -232,9 +238,7 @@ double cell_size(const JsonField& field) {
 
 }  // namespace
 
-PlanFile parse_plan(std::string_view bytes, const std::string& name) {
-    const auto document = parse_json(bytes, name, max_depth);
-    const JsonField root(document);
+PlanFile read_plan(const JsonField& root) {
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);
@@ -301,6 +305,11 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
     return file;
+}
+
+PlanFile parse_plan(std::string_view bytes, const std::string& name) {
+    const auto document = parse_json(bytes, name, max_plan_depth);
+    return read_plan(JsonField(document));
 }
 
 MapFile known_map(MapFile file, const Plan& plan) {

@@ -222,6 +222,8 @@ Revised after(const Plan& plan, const State& state, std::span<const Found> found
     revised.sequence = state.sequence;
     revised.now = state.now;
     revised.decisions.clear();
+    revised.halts.clear();
+    revised.reason.clear();
     revised.found.insert(revised.found.end(), found.begin(), found.end());
     return revised;
 }
@@ -230,9 +232,9 @@ Revised after(const Plan& plan, const State& state, std::span<const Found> found
 
 Revision revise(Planner& planner, const Map& map, const Mission& mission, const Plan& plan, const State& state,
                 double reaction, const Method& method, const Limits& limits) {
-    const Deadline deadline(limits.seconds);
     if (state.sequence <= (plan.revised ? plan.revised->sequence : 0))
         return {RevisionStatus::unchanged, map, mission, plan};
+    const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
     const Report report{map, mission, plan, state, state.now + reaction};
@@ -249,13 +251,13 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     next.plan = no_plan_of(left);
     Revised revised = after(plan, state, found);
     if (!any_drives(report, positions)) {
-        next.reason = "no vehicle is left to drive";
+        revised.reason = "no vehicle is left to drive";
     } else {
         next.status = RevisionStatus::broken;
         const auto plan_left = [&](const Mission& placed) {
             Limits left_over = limits;
             left_over.seconds = std::max(deadline.left(), least_seconds);
-            return plan_of(planner, next.map, placed, state, method, left_over, next.reason);
+            return plan_of(planner, next.map, placed, state, method, left_over, revised.reason);
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
@@ -267,9 +269,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
-        if (next.status != RevisionStatus::no_plan) next.reason.clear();
+        if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            next.halts = halts_of({next.map, left.rules.opened}, report, positions);
+            revised.halts = halts_of({next.map, left.rules.opened}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;
@@ -277,6 +279,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             }
         }
     }
+    revised.status = next.status;
     next.plan.revised = std::move(revised);
     return next;
 }

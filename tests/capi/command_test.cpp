@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,30 @@
 
 namespace waybreaker::capi {
 namespace {
+
+using Json = nlohmann::json;
+
+// Rooms of 7 cells with a door here and there.
+std::string rooms() {
+    std::string map = "type octile\nheight 64\nwidth 64\nmap\n";
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const bool wall = x % 8 == 7 || y % 8 == 7;
+            const bool door = (x * 5 + y * 3) % 11 == 0;
+            map += wall && !door ? '@' : '.';
+        }
+        map += '\n';
+    }
+    return map;
+}
+
+std::string mission(const std::string& rules, const std::string& more = "") {
+    return R"({"format": "waybreaker-mission/1", "agents": [
+        {"id": "rover", "kind": "ground", "start": [2, 3], "goal": [58, 60], "speed": 1},
+        {"id": "drone", "kind": "air", "start": [3, 3], "goal": [60, 60], "speed": 2.5}],
+        "rules": {)" +
+           rules + "}" + more + "}";
+}
 
 class CommandAndC : public TemporaryFolder {
   protected:
@@ -34,30 +59,15 @@ class CommandAndC : public TemporaryFolder {
         EXPECT_EQ(plan.text, bytes_of("plan.json"));
     }
 
+    // Plans on the map, and puts the plan into plan.json.
+    std::string put_plan(const OwnedMap& map) {
+        std::string plan = capi::plan(planner, map, mission(R"("removals": 2, "breach_time": 3)")).text;
+        put("plan.json", plan);
+        return plan;
+    }
+
     OwnedPlanner planner = new_planner();
 };
-
-// Rooms of 7 cells with a door here and there.
-std::string rooms() {
-    std::string map = "type octile\nheight 64\nwidth 64\nmap\n";
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            const bool wall = x % 8 == 7 || y % 8 == 7;
-            const bool door = (x * 5 + y * 3) % 11 == 0;
-            map += wall && !door ? '@' : '.';
-        }
-        map += '\n';
-    }
-    return map;
-}
-
-std::string mission(const std::string& rules, const std::string& more = "") {
-    return R"({"format": "waybreaker-mission/1", "agents": [
-        {"id": "rover", "kind": "ground", "start": [2, 3], "goal": [58, 60], "speed": 1},
-        {"id": "drone", "kind": "air", "start": [3, 3], "goal": [60, 60], "speed": 2.5}],
-        "rules": {)" +
-           rules + "}" + more + "}";
-}
 
 TEST_F(CommandAndC, PlanTheSame) {
     expect_equal(rooms(), mission(R"("removals": 2, "breach_time": 3)"));
@@ -104,6 +114,28 @@ TEST_F(CommandAndC, JudgeTheSame) {
     put("plan.json", plan);
     run("check city.map plan.json --json report.json");
     EXPECT_EQ(check(map, plan).text, bytes_of("report.json"));
+}
+
+TEST_F(CommandAndC, ReviseTheSame) {
+    put("city.map", rooms());
+    const OwnedMap map = from_movingai(rooms(), "city.map");
+    const std::string plan = put_plan(map);
+    const Json removed = Json::parse(plan)["removed"];
+    ASSERT_FALSE(removed.empty());
+    const std::string first = removed[0]["obstacle"].dump();
+    const std::string at = removed[0]["cleared_at"].dump();
+    for (const std::string& news :
+         {R"("now": )" + at + R"(, "failed": [{"obstacle": )" + first + R"(, "at": )" + at + "}]",
+          std::string(R"("now": 12, "agents": [{"id": "drone", "passed": 0, "doing": "lost"}])"),
+          std::string(R"("now": 5, "found": [{"cells": [[20, 20], [21, 20]]}])"), std::string(R"("now": 7)")}) {
+        const std::string state = R"({"format": "waybreaker-state/1", "sequence": 1, )" + news + "}";
+        put("state.json", state);
+        run("revise city.map plan.json --state state.json --reaction 1 --time-limit 1e6 --no-timing --json new.json");
+        run("check city.map new.json --after plan.json --state state.json --json report.json");
+        const Answer next = revise(planner, map, plan, state, 1);
+        EXPECT_EQ(next.text, bytes_of("new.json")) << news << next.error;
+        EXPECT_EQ(check_after(map, next.text, plan, state).text, bytes_of("report.json")) << news;
+    }
 }
 
 TEST_F(CommandAndC, PlanTheSameOnAMapOfTheBenchmarks) {

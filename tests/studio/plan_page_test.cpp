@@ -47,7 +47,8 @@ TEST(PlanPage, AsksNobodyForAnything) {
 }
 
 TEST(PlanPage, CarriesWhatItPlansWith) {
-    const CarriedPlanner carried{.map = R"({"title": "</script>"})", .plan = "{}", .planner = std::string("\0asm\xff", 5)};
+    const CarriedPlanner carried{
+        .map = R"({"title": "</script>"})", .plan = "{}", .planner = std::string("\0asm\xff", 5)};
     const std::string page = plan_page({.title = "title"}, carried);
     EXPECT_NE(page.find(R"(id="waybreaker-map">{"title": "\u003c/script>"}</script>)"), std::string::npos);
     EXPECT_NE(page.find(R"(id="waybreaker-plan">{}</script>)"), std::string::npos);

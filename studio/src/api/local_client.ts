@@ -49,6 +49,7 @@ const types: Record<ExportFormat, string> = {
 
 export class LocalClient implements Client {
   readonly imports = false;
+  readonly revises = false; // until the planner in the page does
   readonly #held = new Map<string, Held>(); // the one used last at the end
   readonly #coming = new Map<string, Promise<Held>>(); // by those who asked first, for all who ask meanwhile
   readonly #listed = new Set<string>();
@@ -125,6 +126,10 @@ export class LocalClient implements Client {
     if (own) return { bytes: own, name: `${id}.map` };
     if (!this.#listed.has(id)) throw new ServiceError("refused", `A map that was drawn on has no file here; ${needsService}`);
     return { bytes: await (await this.folder.fetched(`maps/${id}`)).blob(), name: id };
+  }
+
+  revise(): Promise<never> {
+    return Promise.reject(new ServiceError("refused", `Plans are revised by the service: ${needsService}`));
   }
 
   sendSource(): Promise<never> {
