@@ -74,8 +74,8 @@ TEST_F(ReviseTest, SaysWhatIsWrong) {
     const auto detail = [&](const Json& request, int status) {
         return post_json(revise, request, status)["detail"].get<std::string>();
     };
-    EXPECT_EQ(detail({{"plan", plan}}, 400), "request:1:1: state is missing");
-    EXPECT_EQ(detail({{"state", state(1, 1)}}, 400), "request:1:1: plan is missing");
+    EXPECT_EQ(detail({{"plan", plan}}, 400), "request:1:1: the document has no member state");
+    EXPECT_EQ(detail({{"state", state(1, 1)}}, 400), "request:1:1: the document has no member plan");
     EXPECT_NE(
         detail({{"plan", plan}, {"state", {{"format", "x"}}}}, 400).find("state.format is not waybreaker-state/1"),
         std::string::npos);
@@ -87,9 +87,12 @@ TEST_F(ReviseTest, SaysWhatIsWrong) {
     EXPECT_EQ(detail({{"plan", known}, {"state", state(4, 2)}}, 422),
               "the plan knows report 4 already: number the next one upwards");
     EXPECT_EQ(kind(post_json(revise, {{"plan", known}, {"state", state(5, 0.5)}}, 422)), "/problems/report-unfit");
-    const Json other = post_json(maps + "/wall.map/revise", {{"plan", plan}, {"state", state(1, 1)}}, 422);
-    EXPECT_EQ(kind(other), "/problems/plan-invalid");
-    EXPECT_NE(other["detail"].get<std::string>().find("another map"), std::string::npos);
+    const Json edits = Json::parse(R"({"free": [[5, 0, 1]]})");
+    const std::string edited = post_json(maps + "/house.map/edits", edits, 201)["id"].get<std::string>();
+    for (const std::string& other : {edited, std::string("wall.map")}) {
+        const Json problem = post_json(maps + "/" + other + "/revise", {{"plan", plan}, {"state", state(1, 1)}}, 422);
+        EXPECT_EQ(kind(problem), "/problems/plan-invalid") << other;
+    }
 }
 
 }  // namespace
