@@ -6,6 +6,7 @@
 #include "waybreaker/revise.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <limits>
@@ -125,7 +126,7 @@ State late_vehicle(const Begun& begun) {
     return state;
 }
 
-// Ten cells ahead of the vehicle, a third of the way; none where its goal is there.
+// Ten cells ahead of the vehicle, a third of the way; none where its goal is there, or nothing to block.
 std::optional<State> blocked_street(const Map& map, const Begun& begun) {
     const std::vector<Waypoint>& path = begun.plan.agents[0].path;
     State state{.sequence = 1, .now = path.back().t / 3};
@@ -138,7 +139,7 @@ std::optional<State> blocked_street(const Map& map, const Begun& begun) {
             if (map.grid().contains({x, y}) && !map.grid().blocked({x, y})) found.cells.push_back({x, y});
         }
     }
-    return state;
+    return found.cells.empty() ? std::nullopt : std::optional(state);
 }
 
 // Processor time, the least of several runs.

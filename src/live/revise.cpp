@@ -32,6 +32,13 @@ bool is_out(const Position& position) {
     return position.doing == Doing::lost || position.doing == Doing::stopped;
 }
 
+bool drives_alone(const Report& report, std::span<const Position> positions) {
+    int vehicles = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        vehicles += report.mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]) ? 1 : 0;
+    return vehicles == 1;
+}
+
 // It begins on its base, and is free at its end.
 void begin_on(const Map& map, Base base, Agent& agent) {
     const Waypoint& last = base.back();
@@ -81,6 +88,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
     std::vector<Agent> agents;
     std::vector<std::size_t> vehicles;
     std::vector<std::vector<Base>> choices;
+    // Nobody gets in the way of one alone.
+    const auto most = drives_alone(report, positions) ? 1 : std::numeric_limits<std::size_t>::max();
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (is_out(positions[i])) continue;
         Agent agent = left.agents[i];
@@ -90,7 +99,7 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         if (agent.kind == AgentKind::ground) {
             vehicles.push_back(agents.size());
             // One that has arrived may have to make way, from now on.
-            choices.push_back(bases_of(ground, agent, positions[i], report.decided));
+            choices.push_back(bases_of(ground, agent, positions[i], report.decided, most));
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
