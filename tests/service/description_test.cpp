@@ -185,6 +185,9 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     post_json(house + "/check", plan);
     post_json(house + "/export?format=json", plan);
     post_json(house + "/revise", {{"plan", plan}, {"state", state(1, 1)}});
+    Json unfit = state(1, 1);
+    unfit["agents"] = Json::parse(R"([{"id": "nobody", "passed": 0}])");
+    post_json(house + "/revise", {{"plan", plan}, {"state", unfit}}, 422);
     const std::string wall = "type octile\nheight 1\nwidth 2\nmap\n.@\n";
     post(maps, wall, octets);
     post(maps, wall, octets);
