@@ -13,22 +13,36 @@
 namespace waybreaker {
 namespace {
 
-// Of what opens by itself, the last that a ground agent enters at once: it has waited for it; and what opens when all
-// have arrived.
+// Whether a ground agent waits for it: enters it at once, or stands by while it opens and nobody ever enters it.
+bool is_waited_for(const Map& map, const Mission& mission, const Plan& plan, const TimedOpening& opening) {
+    const double opens = opening.at + 1e-6 * (1 + opening.at);
+    bool is_entered = false;
+    bool is_stood_by = false;
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const Itinerary& agent = plan.agents[i];
+        if (agent.kind == AgentKind::air) continue;
+        const double radius = standing_radius(mission.agents[i].body);
+        const auto touched = first_touch(map, opening.obstacle, agent.path, radius);
+        if (touched && *touched <= opens) return true;
+        is_entered = is_entered || touched;
+        const auto spans = [&](const Wait& wait) { return wait.from < opening.at && opening.at <= wait.until; };
+        is_stood_by = is_stood_by || std::ranges::any_of(stands(agent), spans);
+    }
+    return is_stood_by && !is_entered;
+}
+
+// Of what opens by itself, the last that a ground agent waits for; and what opens when all have arrived.
 std::vector<ObstacleId> late_for(const Map& map, const Mission& mission, const Plan& plan) {
     double arrived = 0;
+    for (const Itinerary& agent : plan.agents) {
+        if (agent.kind == AgentKind::ground) arrived = std::max(arrived, agent.path.back().t);
+    }
     double latest = -1;
     ObstacleId waited_for;
-    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        if (plan.agents[i].kind == AgentKind::air) continue;
-        arrived = std::max(arrived, plan.agents[i].path.back().t);
-        for (const TimedOpening& opening : mission.rules.opened) {
-            const double radius = standing_radius(mission.agents[i].body);
-            const auto touched = first_touch(map, opening.obstacle, plan.agents[i].path, radius);
-            if (!touched || *touched > opening.at + 1e-6 * (1 + opening.at) || opening.at <= latest) continue;
-            latest = opening.at;
-            waited_for = opening.obstacle;
-        }
+    for (const TimedOpening& opening : mission.rules.opened) {
+        if (opening.at <= latest || !is_waited_for(map, mission, plan, opening)) continue;
+        latest = opening.at;
+        waited_for = opening.obstacle;
     }
     // Where no plan was found, the last of all.
     const auto& opened = mission.rules.opened;
