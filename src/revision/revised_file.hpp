@@ -45,8 +45,8 @@ struct RevisedFile {
     std::string json(bool timing_fields) const { return io::plan_json(plan, context(timing_fields)); }
 };
 
-// The map that a plan was made on, from the one that its mission began on. Throws InputError, under the name of the plan,
-// if that was made for another.
+// The map that a plan was made on, from the one that its mission began on. Throws InputError, under the name of the
+// plan, if that was made for another.
 io::MapFile map_of(const io::PlanFile& plan, const io::MapFile& map, const std::string& plan_name);
 
 // The file of what comes after a plan. `map`: that it was made on; `digest`: of its bytes, if they are known.

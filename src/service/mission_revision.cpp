@@ -57,7 +57,7 @@ ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::s
     worker.set_time_limit(limits.seconds);
     PlannerPool::Loan planner = task.planners.borrow(task.map);
     Revision made = planner.revise(known.map, before.asked.mission, before.plan, state, task.request.reaction,
-                                       before.asked.method, limits);
+                                   before.asked.method, limits);
     const revision::RevisedFile next =
         revision::next_file(before, std::move(known), std::move(made), io::sha256_digest(held.plan));
     const bool planned = next.plan.status == PlanStatus::solved;
