@@ -7,13 +7,23 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
+#include "mission/explain.hpp"
 #include "mission/instead.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {
 
-// Whether a ground agent waits for it: enters it at once, or stands by while it opens and nobody ever enters it.
+// Whether an agent stands, and has not got farther than to the next point of its path by then.
+bool stands_before(const std::vector<Waypoint>& path, double time) {
+    for (std::size_t i = 1; i < path.size() && path[i - 1].t < time; ++i) {
+        const bool stands = path[i].x == path[i - 1].x && path[i].y == path[i - 1].y && path[i].t > path[i - 1].t;
+        if (stands && path[std::min(i + 1, path.size() - 1)].t >= time) return true;
+    }
+    return false;
+}
+
+// Whether a ground agent waits for it: enters it at once, or stands before it opens and nobody ever enters it.
 bool is_waited_for(const Map& map, const Mission& mission, const Plan& plan, const TimedOpening& opening) {
     const double opens = opening.at + 1e-6 * (1 + opening.at);
     bool is_entered = false;
@@ -25,8 +35,7 @@ bool is_waited_for(const Map& map, const Mission& mission, const Plan& plan, con
         const auto touched = first_touch(map, opening.obstacle, agent.path, radius);
         if (touched && *touched <= opens) return true;
         is_entered = is_entered || touched;
-        const auto spans = [&](const Wait& wait) { return wait.from < opening.at && opening.at <= wait.until; };
-        is_stood_by = is_stood_by || std::ranges::any_of(stands(agent), spans);
+        is_stood_by = is_stood_by || stands_before(agent.path, opening.at);
     }
     return is_stood_by && !is_entered;
 }
@@ -56,6 +65,10 @@ std::vector<ObstacleId> late_for(const Map& map, const Mission& mission, const P
     return late;
 }
 
+bool says_gains(const Plan& plan) {
+    return std::ranges::any_of(plan.agents, [](const Itinerary& agent) { return agent.gain.has_value(); });
+}
+
 }  // namespace
 
 Plan around_late(const Map& map, Mission mission, const Limits& limits,
@@ -75,7 +88,9 @@ Plan around_late(const Map& map, Mission mission, const Limits& limits,
         Plan other = planned(mission, deadline.left());
         late = late_for(map, mission, other);
         if (!(reached(other) < reached(best) * (1 - 1e-9))) continue;
+        const bool explained = says_gains(best) || says_gains(other);
         other.before = best.before;
+        if (explained) explain_agents(mission, other);
         best = instead(best, std::move(other), mission.rules.objective);
     }
     return best;
