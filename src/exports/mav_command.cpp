@@ -9,7 +9,7 @@
 namespace waybreaker::exports {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MavCommand>, 7> actions{
+constexpr std::array<std::pair<std::string_view, MavCommand>, 7> mav_commands{
     {{"DO_SET_RELAY", MavCommand::do_set_relay},
      {"DO_REPEAT_RELAY", MavCommand::do_repeat_relay},
      {"DO_SET_SERVO", MavCommand::do_set_servo},
@@ -33,8 +33,8 @@ std::optional<Number> number_of(std::string_view text) {
 std::optional<int> command_of(std::string_view name) {
     constexpr std::string_view prefix = "MAV_CMD_";
     if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
-    const auto* const known = std::ranges::find(actions, name, &std::pair<std::string_view, MavCommand>::first);
-    if (known != actions.end()) return int(known->second);
+    const auto* const known = std::ranges::find(mav_commands, name, &std::pair<std::string_view, MavCommand>::first);
+    if (known != mav_commands.end()) return int(known->second);
     const std::optional<int> number = number_of<int>(name);
     return number && *number >= 0 && *number <= most_command ? number : std::nullopt;
 }
@@ -43,7 +43,7 @@ std::optional<int> command_of(std::string_view name) {
 
 std::vector<std::string> mav_action_names() {
     std::vector<std::string> names;
-    for (const auto& action : actions) names.emplace_back(action.first);
+    for (const auto& action : mav_commands) names.emplace_back(action.first);
     return names;
 }
 
