@@ -130,14 +130,10 @@ void run(const CheckOptions& options) {
         throw InputError(io::input_name(options.plan), 0, "has a budget of square metres: --weights is not for it");
     }
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
-    std::vector<Violation> violations = io::judge(plan, map, judging);
-    if (!options.after.empty()) {
-        const io::PlanFile before = io::read_plan_file(options.after);
-        const std::vector<Violation> broken =
-            check_continuity(before.asked.mission, before.plan, io::read_state_file(options.state), plan.asked.mission,
-                             plan.plan, options.tolerance);
-        violations.insert(violations.end(), broken.begin(), broken.end());
-    }
+    std::vector<Violation> violations = options.after.empty()
+                                            ? io::judge(plan, map, judging)
+                                            : io::judge_after(plan, map, io::read_plan_file(options.after),
+                                                              io::read_state_file(options.state), judging);
     if (options.replan && violations.empty()) {
         const std::optional<Map> other = io::reweighed(plan, map, judging);
         judge_causes(plan, map.map, options.tolerance, violations);

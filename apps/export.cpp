@@ -12,6 +12,7 @@
 #include "io/plan_file.hpp"
 #include "mapfile/map_reader.hpp"
 #include "option.hpp"
+#include "page_planner.hpp"
 #include "plan_exports.hpp"
 #include "progress.hpp"
 #include "studio/plan_html.hpp"
@@ -25,12 +26,13 @@ struct ExportOptions {
     std::string plan;
     PlanExports exports;
     std::string html;
+    SteerableOptions steerable;
     bool ignore_digest = false;
 };
 
 io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
     const Progress progress("reading " + io::input_name(options.map));
-    return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
+    return io::known_map(mapfile::read_map_file(options.map, plan.connectivity, plan.image), plan.plan);
 }
 
 // Writers trust a plan, so one that comes from a file is checked first.
@@ -45,7 +47,16 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
     }
 }
 
+std::string html(const ExportOptions& options, const std::string& text, const io::PlanFile& plan,
+                 const io::MapFile& map) {
+    if (!options.steerable.asked) return studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}});
+    if (plan.plan.status != PlanStatus::solved)
+        throw InputError(options.plan, 0, "has no plan, which --steerable could begin with");
+    return studio::steerable_html(map, plan.connectivity, text, packed_page_planner(options.steerable));
+}
+
 void run(const ExportOptions& options) {
+    validate(options.exports);
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
     const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
@@ -53,15 +64,15 @@ void run(const ExportOptions& options) {
     validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
         throw InputError(
-            "nothing to write: give --geojson, --csv, --ros-path, --opened-map, --xml, --gpx, --kml or --html");
+            "nothing to write: give --geojson, --csv, --ros-path, --ros-parts, --opened-map, --xml, --gpx, --kml, "
+            "--qgc, --vda5050 or --html");
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
     auto files = export_plan(options.exports, plan.plan, map, plan.asked);
-    if (!options.html.empty())
-        files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
+    if (!options.html.empty()) files.emplace_back(options.html, html(options, text, plan, map));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }
 
@@ -78,10 +89,13 @@ void setup_export(CLI::App& root, Run& run_chosen) {
     add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it; or -")->required();
     add_plan_exports(*command, options->exports);
     add_file(*command, "--html", options->html, "Write a page for a browser that plays the plan");
+    add_steerable(*command, options->steerable);
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",
-                            "waybreaker export floor.yaml plan.json --ros-path path.yaml --csv waypoints.csv"});
+                            "waybreaker export floor.yaml plan.json --ros-path path.yaml --csv waypoints.csv",
+                            "waybreaker export floor.yaml plan.json --vda5050 orders.json",
+                            "waybreaker export data/berlin-mitte.tif plan.json --altitude 60 --qgc flight.plan"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "exports/mav_command.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
 #include "named_files.hpp"
@@ -19,11 +20,17 @@ namespace waybreaker::apps {
 struct FieldExports {
     std::string gpx;
     std::string kml;
+    std::string qgc;
+    std::string vda5050;
     std::int64_t starts_at = 0;           // seconds since 1970
     std::optional<double> altitude = {};  // of flights, in metres
+    exports::MavAction breach = {};
 };
 
 void add_field_exports(CLI::App& command, FieldExports& exports);
+
+// Throws InputError if an option is missing that a file needs.
+void validate(const FieldExports& exports);
 
 NamedFiles named_outputs(const FieldExports& exports);
 

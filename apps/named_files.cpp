@@ -21,17 +21,18 @@ struct Suffix {
 };
 
 // Extensions that identify a format. Other extensions may be used for any format.
-const std::array<Suffix, 31> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
+const std::array<Suffix, 32> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson", "--vda5050"}},
                                        {".svg", {"--svg"}},
                                        {".png", {"--png", "--opened-map"}},
                                        {".html", {"--html"}},
                                        {".htm", {"--html"}},
                                        {".geojson", {"--geojson", "--opened-map"}},
                                        {".csv", {"--csv"}},
-                                       {".yaml", {"--ros-path", "--opened-map"}},
-                                       {".yml", {"--ros-path", "--opened-map"}},
+                                       {".yaml", {"--ros-path", "--ros-parts", "--opened-map"}},
+                                       {".yml", {"--ros-path", "--ros-parts", "--opened-map"}},
                                        {".xml", {"--xml", "--opened-map"}},
                                        {".gpx", {"--gpx"}},
+                                       {".plan", {"--qgc"}},
                                        {".scen", {}},
                                        {".db", {}},
                                        {".osm", {}},

@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "core/stopwatch.hpp"
+#include "draw_options.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_json.hpp"
@@ -24,10 +25,12 @@
 #include "progress.hpp"
 #include "raster/png.hpp"
 #include "render/plan_picture.hpp"
+#include "robust.hpp"
 #include "studio/plan_html.hpp"
 #include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
+#include "waybreaker/revise.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -131,9 +134,10 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
 }
 
 // Writes all outputs, standard output last, when all files are complete. `outputs`: what is known without a plan.
+// `report`: goes below the table.
 void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, const PlanOptions& options,
-                   const io::PlanContext& context, const Plan& explained, const Limits& limits,
-                   const Deadline& deadline) {
+                   const io::PlanContext& context, const Plan& explained, const std::string& report,
+                   const Limits& limits, const Deadline& deadline) {
     Plan plan = explained;
     const io::MissionDocument& asked = context.asked;
     if (!asked.method.explain) {  // for the page alone
@@ -151,7 +155,13 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     }
     if (!options.png.empty())
         outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture)));
-    if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
+    if (options.steerable.asked) {
+        outputs.emplace_back(options.html,
+                             studio::steerable_html(file, context.connectivity, io::plan_json(plan, context),
+                                                    packed_page_planner(options.steerable)));
+    } else if (!options.html.empty()) {
+        outputs.emplace_back(options.html, html(context, explained, limits, deadline));
+    }
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, asked.mission, asked.method));
     }
@@ -163,7 +173,8 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     const auto last =
         std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
     if (last == outputs.end() && plan.status == PlanStatus::solved) {
-        outputs.emplace_back("-", plan_table(plan, context, {.metres = file.has_metres(), .bold = wants_bold()}));
+        const TableStyle style{.metres = file.has_metres(), .bold = wants_bold()};
+        outputs.emplace_back("-", plan_table(plan, context, style) + report);
     }
     for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
 }
@@ -239,12 +250,30 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
     return plans;
 }
 
+void require_failures_can_be_planned(const PlanOptions& options, const Mission& mission) {
+    if (!options.plan_b && !options.robust.share) return;
+    const char* option = options.plan_b ? "--plan-b" : "--robust";
+    if (mission.rules.timing == Timing::ignore)
+        throw InputError(fmt::format("{} needs --timing enforce: where timing is ignored no breach fails", option));
+    if (options.robust.share && mission.is_team())
+        throw InputError("--robust is for missions of one ground agent: of several, no other plans are evaluated");
+}
+
+Plan planned_for_failures(const io::MapFile& file, const io::MissionDocument& asked, double seconds, Plan plan) {
+    if (plan.status != PlanStatus::solved) return plan;
+    const Progress progress("planning for failures");
+    Planner planner;
+    return with_plan_b(planner, file.map, asked.mission, std::move(plan), method_of_revisions(asked.method),
+                       {.seconds = seconds});
+}
+
 void run(const PlanOptions& options) {
     validate(options);
     const Stopwatch since_start;
     io::MissionDocument given = given_mission(options);
     io::MapFile file = to_plan_on(given.overlays, read_map(options));
     io::MissionDocument asked = mission_of(options, std::move(given), file);
+    require_failures_can_be_planned(options, asked.mission);
     if (auto weighed = io::settle(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.save_mission.empty())
@@ -261,11 +290,21 @@ void run(const PlanOptions& options) {
     }
     asked.limits.seconds = time_left(deadline);
     if (!options.html.empty() && asked.mission.is_team()) asked.limits.seconds *= share_of_team;
-    const bool explain = std::exchange(asked.method.explain, asked.method.explain || !options.html.empty());
-    const std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
+    const bool for_page = !options.html.empty() && !options.robust.share;
+    const bool explain = std::exchange(asked.method.explain, asked.method.explain || for_page);
+    std::string report;
+    std::vector<Plan> plans;
+    if (options.robust.share) {
+        RobustPlan robust = robust_plan(file, asked, options.robust);
+        plans.push_back(std::move(robust.plan));
+        report = std::move(robust.report);
+    } else {
+        plans = plan_mission(file, asked, options.removals_auto);
+    }
     asked.method.explain = explain;
     Rules& rules = asked.mission.rules;
     if (options.removals_auto) rules.removals = io::removals_of(plans, rules);
+    if (options.plan_b) plans.back() = planned_for_failures(file, asked, time_left(deadline), std::move(plans.back()));
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
                                   .asked = asked,
@@ -273,7 +312,7 @@ void run(const PlanOptions& options) {
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
-    write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
+    write_outputs(std::move(outputs), options, context, plan, report, asked.limits, deadline);
     require_plan(plan, asked.mission, asked.limits, options, file);
 }
 

@@ -36,22 +36,29 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--csv", exports.csv, "Write the timed waypoints: cells, metres, longitude and latitude");
     add_file(command, "--ros-path", exports.ros_path,
              "Write the paths as YAML of ROS's nav_msgs/Path, one for each agent, in metres of the map's frame");
+    add_file(
+        command, "--ros-parts", exports.ros_parts,
+        "Write the same paths cut where an agent waits and before each opening, for controllers that ignore times");
     add_number(
         command, "--step", [&exports](double metres) { exports.step = metres; }, {0.001, 1e6}, "METRES",
-        "Most distance between two poses of --ros-path; corners have one in any case (default: the side of a cell)")
-        ->needs("--ros-path");
+        "Most distance between two poses of --ros-path and --ros-parts; corners have one in any case (default: the "
+        "side of a cell)");
     add_file(command, "--opened-map", exports.opened_map,
              "Write the map after the removals, in the format that the file's name ends in, as waybreaker map convert");
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
     add_field_exports(command, exports.field);
 }
 
+void validate(const PlanExports& exports) {
+    if (exports.step && exports.ros_path.empty() && exports.ros_parts.empty())
+        throw InputError("--step is how far apart poses of ROS paths are; add --ros-path FILE or --ros-parts FILE");
+    validate(exports.field);
+}
+
 NamedFiles named_outputs(const PlanExports& exports) {
-    NamedFiles outputs{{"--geojson", exports.geojson},
-                       {"--csv", exports.csv},
-                       {"--ros-path", exports.ros_path},
-                       {"--opened-map", exports.opened_map},
-                       {"--xml", exports.xml}};
+    NamedFiles outputs{{"--geojson", exports.geojson},       {"--csv", exports.csv},
+                       {"--ros-path", exports.ros_path},     {"--ros-parts", exports.ros_parts},
+                       {"--opened-map", exports.opened_map}, {"--xml", exports.xml}};
     std::ranges::move(named_outputs(exports.field), std::back_inserter(outputs));
     return outputs;
 }
@@ -65,6 +72,8 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
     if (!exports.csv.empty())
         files.emplace_back(exports.csv, io::plan_csv(plan, map, geotiff::lon_lat_of(map.georeference), units));
     if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
+    if (!exports.ros_parts.empty())
+        files.emplace_back(exports.ros_parts, io::plan_ros_parts(plan, map, asked.mission, exports.step));
     if (!exports.xml.empty()) {
         const SearchOptions search = search_options(asked.method, asked.mission.ground_body());
         files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));

@@ -20,13 +20,17 @@ struct PlanExports {
     std::string geojson;
     std::string csv;
     std::string ros_path;
-    std::optional<double> step;  // of the ROS path, in metres
+    std::string ros_parts;
+    std::optional<double> step;  // of ROS paths, in metres
     std::string opened_map;
     std::string xml;
     FieldExports field;
 };
 
 void add_plan_exports(CLI::App& command, PlanExports& exports);
+
+// Throws InputError if an option is missing that another needs.
+void validate(const PlanExports& exports);
 
 NamedFiles named_outputs(const PlanExports& exports);
 

@@ -213,6 +213,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
         "--explain", options.explain,
         "Say what each removal saves, which obstacle one removal more would take, what each ground agent of a "
         "team gains, and who waits for whom");
+    command.add_flag("--plan-b", options.plan_b,
+                     "Say of each removal what the mission comes to if it fails when it is tried, and what is removed "
+                     "then; needs the timing enforced");
     add_choice(command, "--flight", io::flight_words, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");
@@ -265,6 +268,7 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--png", options.png, "Write a picture");
     add_file(command, "--html", options.html,
              "Write a page for a browser that plays the plan: one file, no network needed");
+    add_steerable(command, options.steerable);
     add_file(command, "--trace", options.trace,
              "Write every step of the first ground search, for the Posthoc search visualiser (NAME.trace.json)");
     add_plan_exports(command, options.exports);
@@ -302,6 +306,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
     add_method_options(command, options);
     command.option_defaults()->group("Ground search");
     add_search_options(command, options);
+    command.option_defaults()->group("Rehearsal");
+    add_robust_options(command, options.robust);
     command.option_defaults()->group("Output");
     add_output_options(command, options);
 }
@@ -338,6 +344,14 @@ void validate(const PlanOptions& options) {
     if (options.paper && rules.minimise_demolition) {
         throw InputError("--minimise-demolition needs --select exact, which --paper contradicts; drop one of them");
     }
+    if (options.robust.share && (options.explain || options.removals_auto || rules.minimise_demolition)) {
+        throw InputError(
+            fmt::format("--robust may take a plan that is not the best, which {} compares others with; drop "
+                        "one of them",
+                        options.explain         ? "--explain"
+                        : options.removals_auto ? "--removals auto"
+                                                : "--minimise-demolition"));
+    }
     if (options.animate && options.svg.empty()) {
         throw InputError("--animate moves the picture that --svg writes; add --svg FILE");
     }
@@ -345,6 +359,7 @@ void validate(const PlanOptions& options) {
         throw InputError(fmt::format("{} compares plans that are best, which --gap contradicts; drop one of them",
                                      options.explain ? "--explain" : "--minimise-demolition"));
     }
+    validate(options.exports);
     NamedFiles outputs = named_outputs(options.exports);
     outputs.insert(outputs.begin(), {{"--json", options.json},
                                      {"--svg", options.svg},

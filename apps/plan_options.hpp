@@ -11,7 +11,9 @@
 #include "io/mission_json.hpp"
 #include "measure.hpp"
 #include "overlay_options.hpp"
+#include "page_planner.hpp"
 #include "plan_exports.hpp"
+#include "robust.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker::apps {
@@ -62,14 +64,17 @@ struct PlanOptions {
     std::string svg;
     std::string png;
     std::string html;
+    SteerableOptions steerable;
     std::string trace;
     PlanExports exports;
+    RobustOptions robust;
     bool paper = false;
     bool removals_auto = false;  // as many removals as gain anything
     bool animate = false;        // the picture plays the plan
     bool area_budget = false;    // the budget is one of square metres
     bool bound = false;
     bool explain = false;
+    bool plan_b = false;  // of each breach, what is left where it fails
     bool no_timing = false;
     bool lon_lat = false;     // places of agents are degrees
     bool map_metres = false;  // they are metres of the map's frame

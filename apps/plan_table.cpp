@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -179,6 +180,16 @@ std::string saved_together(const Plan& plan, const Mission& mission) {
     return plan.breaches.size() > 1 && saved == saved ? fmt::format("together they save {:.3f}\n", saved) : "";
 }
 
+// Plan B: what is reached, and what is removed.
+std::array<std::string, 2> if_failed(const Breach& breach) {
+    if (!breach.if_failed) return {nothing, nothing};
+    const auto& [objective, removed] = *breach.if_failed;
+    if (objective == INFINITY) return {"no plan", nothing};
+    std::string ids;
+    for (const ObstacleId id : removed) ids += (ids.empty() ? "" : " ") + std::to_string(id.value);
+    return {text(objective, 3), ids.empty() ? nothing : shortened(ids)};
+}
+
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
@@ -193,6 +204,8 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     if (style.metres) rows.front().insert(rows.front().begin() + 3, "m\u00b2");
     const bool shared = std::ranges::any_of(plan.breaches, [](const Breach& breach) { return !breach.by.empty(); });
     if (explained) rows.front().push_back(timed("saves", context));
+    const bool plan_b = std::ranges::any_of(plan.breaches, [](const Breach& b) { return b.if_failed.has_value(); });
+    if (plan_b) rows.front().insert(rows.front().end(), {timed("if it fails", context), "removed then"});
     if (shared) rows.front().emplace_back("by");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
@@ -203,6 +216,9 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
         if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
         if (explained) rows.back().push_back(breach.saves == INFINITY ? "needed" : text(breach.saves, 3));
+        if (plan_b) {
+            for (const std::string& cell : if_failed(breach)) rows.back().push_back(cell);
+        }
         if (shared) rows.back().push_back(shortened(breach.by));
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "draw_options.hpp"
 #include "help.hpp"
 #include "io/check_report.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
 #include "io/sha256.hpp"
 #include "mapfile/map_reader.hpp"
-#include "measure.hpp"
 #include "named_files.hpp"
 #include "option.hpp"
 #include "overlay_options.hpp"
@@ -39,37 +39,6 @@ struct RehearseOptions {
     bool no_timing = false;
 };
 
-// "exponential:2s"
-Delay delay_from(const std::string& given) {
-    const std::size_t colon = std::min(given.find(':'), given.size());
-    std::string_view mean = std::string_view(given).substr(std::min(colon + 1, given.size()));
-    double size = 1;
-    for (const auto& [unit, seconds] : time_units) {
-        if (!mean.ends_with(unit)) continue;
-        mean.remove_suffix(unit.size());
-        size = seconds;
-        break;
-    }
-    const std::optional<double> number = number_from(mean);
-    for (std::size_t i = 0; i < waybreaker::words_of<DelayKind>.size(); ++i) {
-        if (waybreaker::words_of<DelayKind>[i] != given.substr(0, colon) || !number) continue;
-        if (*number * size >= 0 && *number * size <= most_delay) return {DelayKind(i), *number * size};
-    }
-    throw CLI::ValidationError(
-        "--delay", fmt::format("'{}' is not fixed, exponential or poisson with a mean from 0 to {} behind it, such as "
-                               "poisson:2s",
-                               shown(given), most_delay));
-}
-
-// How revisions are planned: as the plan was, or with proof where that way knows no missions under way.
-Method method_of(const io::PlanFile& file) {
-    Method method = file.asked.method;
-    if (method.select != Selection::exact) method = Method{};
-    method.bound = false;
-    method.explain = false;
-    return method;
-}
-
 RehearsedPlan rehearsed(const RehearseOptions& options, const io::PlanFile& file, const std::string& name,
                         const io::MapFile& base) {
     io::require_map_of(file, base, name);
@@ -79,7 +48,7 @@ RehearsedPlan rehearsed(const RehearseOptions& options, const io::PlanFile& file
     RehearsalOptions asked = options.rehearsal;
     asked.progress = [&](int done) { progress.update(fmt::format("{} of {} runs", done, asked.runs)); };
     try {
-        return {name, rehearse(map.map, file.asked.mission, file.plan, asked, method_of(file),
+        return {name, rehearse(map.map, file.asked.mission, file.plan, asked, method_of_revisions(file.asked.method),
                                {.seconds = options.seconds, .threads = 1})};
     } catch (const InputError& error) {
         throw InputError(name, 0, error.what());
@@ -128,39 +97,6 @@ void run(const RehearseOptions& options) {
     }
 }
 
-void add_draws(CLI::App& command, RehearsalOptions& options) {
-    add_share(
-        command, "--fail", options.fail,
-        "The chance that a breach leaves the obstacle standing, which is known when it ends. It is tried again as "
-        "often as the mission allows (default: 0)");
-    command
-        .add_option_function<std::string>(
-            "--delay", [&options](const std::string& given) { options.delay = delay_from(given); },
-            "How late each agent leaves for the next point of its path, each time that it moves on. fixed: always so "
-            "much; exponential: an exponentially distributed time of that mean; poisson: a whole number of units of "
-            "time, Poisson distributed with that mean. A second is one unit of the plan's time (default: none)")
-        ->type_name("KIND:MEAN");
-    add_share(command, "--blocked", options.blocked,
-              "The chance that a vehicle meets a blocked street, once: when it has driven some share of the length of "
-              "its first path, all shares equally likely, the place --sight ahead on its path turns out to be blocked, "
-              "three cells wide. Not where its path ends before, nor on a vehicle or a goal (default: 0)");
-    add_number(
-        command, "--sight", [&options](double cells) { options.sight = cells; }, {least_sight, 1000}, "CELLS",
-        "How far ahead a vehicle sees a blocked street (default: 10)");
-    add_share(command, "--lost", options.lost,
-              "The chance that an aircraft is lost: when it has flown some share of the length of its first flight, "
-              "likewise (default: 0)");
-    add_count(
-        command, "--runs", [&options](auto n) { options.runs = int(n); }, 1, most_runs,
-        "How many missions are played (default: 1000)");
-    add_count(
-        command, "--seed", [&options](auto n) { options.seed = std::uint64_t(n); }, 0, INT64_MAX,
-        "What is drawn; run i is the same, however many there are (default: 1)");
-    add_count(
-        command, "--threads", [&options](auto n) { options.threads = unsigned(n); }, 1, 1024,
-        "How many threads play; the result is the same (default: one on each core)");
-}
-
 }  // namespace
 
 void setup_rehearse(CLI::App& root, Run& run_chosen) {
@@ -176,6 +112,9 @@ void setup_rehearse(CLI::App& root, Run& run_chosen) {
     add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
     add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan or revise writes it")->required();
     add_draws(*command, options->rehearsal);
+    add_count(
+        *command, "--threads", [options](auto n) { options->rehearsal.threads = unsigned(n); }, 1, 1024,
+        "How many threads play; the result is the same (default: one on each core)");
     add_file(*command, "--compare", options->compare, "Play that plan as well, on the same draws");
     add_file(*command, "--json", options->json, "Write the figures (waybreaker-rehearsal/1); - is standard output");
     add_file(*command, "--csv", options->csv, "Write a line for each run");

@@ -1,6 +1,4 @@
 // `waybreaker revise`: the rest of a mission planned anew, from what has happened to its plan.
-#include "waybreaker/revise.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,10 +7,8 @@
 
 #include "commands.hpp"
 #include "help.hpp"
-#include "io/check_report.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
-#include "io/plan_json.hpp"
 #include "io/sha256.hpp"
 #include "io/state_json.hpp"
 #include "mapfile/map_reader.hpp"
@@ -23,10 +19,13 @@
 #include "progress.hpp"
 #include "raster/png.hpp"
 #include "render/plan_picture.hpp"
+#include "revision/revised_file.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
+
+using revision::RevisedFile;
 
 struct ReviseOptions {
     std::string map;
@@ -42,9 +41,9 @@ struct ReviseOptions {
 };
 
 // What has become of the plan, for a person.
-std::string summary(const Revision& revision) {
+std::string summary(const RevisedFile& next) {
     std::string text;
-    switch (revision.status) {
+    switch (next.status) {
         case RevisionStatus::unchanged:
             return "nothing new: the plan knows that report already\n";
         case RevisionStatus::kept:
@@ -57,24 +56,25 @@ std::string summary(const Revision& revision) {
         case RevisionStatus::broken:
             return "";
     }
-    for (const Decision& decision : revision.plan.revised->decisions) {
+    for (const Decision& decision : next.plan.revised->decisions) {
         text += fmt::format("{} keeps to the plan before until {:.3f}, point {}\n", decision.agent, decision.time,
                             decision.point);
     }
     return text + "\n";
 }
 
-[[noreturn]] void report_none(const Revision& revision) {
-    if (revision.status == RevisionStatus::broken) {
+[[noreturn]] void report_none(const RevisedFile& next) {
+    if (next.status == RevisionStatus::broken) {
         std::string text = "no agent can keep to its plan until it decides";
-        for (const Halt& halt : revision.halts) {
+        for (const Halt& halt : next.plan.revised->halts) {
             text +=
                 fmt::format("; {} must stop before point {} of its path, by {:.3f}", halt.agent, halt.point, halt.by);
         }
         throw NoPlan(text);
     }
-    if (!revision.reason.empty()) throw NoPlan("no plan: " + revision.reason);
-    if (revision.plan.status == PlanStatus::no_plan) throw NoPlan("no plan: what is left of the mission has none");
+    const std::string& reason = next.plan.revised->reason;
+    if (!reason.empty()) throw NoPlan("no plan: " + reason);
+    if (next.plan.status == PlanStatus::no_plan) throw NoPlan("no plan: what is left of the mission has none");
     throw NoPlanFound("no plan of what is left of the mission was found; raise --time-limit");
 }
 
@@ -87,38 +87,29 @@ void run(const ReviseOptions& options) {
     const std::string bytes = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile before = io::parse_plan(bytes, io::input_name(options.plan));
     const State state = io::read_state_file(options.state);
-    io::MapFile map = [&] {
+    const io::MapFile map = [&] {
         const Progress progress("reading " + io::input_name(options.map));
-        io::MapFile read = to_plan_on(overlays, mapfile::read_map_file(options.map, before.connectivity, before.image));
-        io::require_map_of(before, read, io::input_name(options.plan));
-        return io::known_map(std::move(read), before.plan);
+        return to_plan_on(overlays, mapfile::read_map_file(options.map, before.connectivity, before.image));
     }();
-    if (const auto weighed = io::reweighed(before, map, {})) map.map = *weighed;
     Planner planner;
-    Revision revision = [&] {
+    const RevisedFile next = [&] {
         const Progress progress("revising");
-        try {
-            return revise(planner, map.map, before.asked.mission, before.plan, state, options.reaction,
-                          before.asked.method, {.seconds = options.seconds});
-        } catch (const InputError& error) {
-            throw InputError(io::input_name(options.state), 0, error.what());
-        }
+        return revision::revise(planner,
+                                {.before = before,
+                                 .before_name = io::input_name(options.plan),
+                                 .digest = io::sha256_digest(bytes),
+                                 .map = map,
+                                 .state = state,
+                                 .state_name = io::input_name(options.state),
+                                 .reaction = options.reaction},
+                                {.seconds = options.seconds});
     }();
-    const bool unchanged = revision.status == RevisionStatus::unchanged;
-    io::MissionDocument asked = before.asked;
-    asked.mission = revision.mission;
-    map.map = revision.map;
-    const io::PlanContext context{.map = map,
-                                  .asked = asked,
-                                  .connectivity = before.connectivity,
-                                  .timing_fields = !options.no_timing,
-                                  .image = before.image,
-                                  .supersedes = unchanged ? before.supersedes : io::sha256_digest(bytes)};
-    const bool solved = revision.plan.status == PlanStatus::solved;
+    const bool solved = next.plan.status == PlanStatus::solved;
     std::vector<std::pair<std::string, std::string>> outputs;
-    if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(revision.plan, context));
+    if (!options.json.empty()) outputs.emplace_back(options.json, next.json(!options.no_timing));
     const auto picture = [&] {
-        return render::svg(map.map, asked.mission, revision.plan, render::picture_options(map, asked, revision.plan));
+        return render::svg(next.map.map, next.asked.mission, next.plan,
+                           render::picture_options(next.map, next.asked, next.plan));
     };
     if (solved && !options.svg.empty()) outputs.emplace_back(options.svg, picture());
     if (solved && !options.png.empty()) outputs.emplace_back(options.png, raster::png_of(picture()));
@@ -127,10 +118,10 @@ void run(const ReviseOptions& options) {
         to_standard_output = to_standard_output || path == "-";
         io::write_whole(path, content);
     }
-    if (!solved) report_none(revision);
+    if (!solved) report_none(next);
     if (to_standard_output) return;
-    const TableStyle style{.metres = map.has_metres(), .bold = isatty(STDOUT_FILENO) == 1};
-    io::write_whole("-", summary(revision) + plan_table(revision.plan, context, style));
+    const TableStyle style{.metres = next.map.has_metres(), .bold = isatty(STDOUT_FILENO) == 1};
+    io::write_whole("-", summary(next) + plan_table(next.plan, next.context(!options.no_timing), style));
 }
 
 }  // namespace

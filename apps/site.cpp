@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -13,9 +12,9 @@
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "option.hpp"
+#include "page_planner.hpp"
 #include "progress.hpp"
 #include "service/static_site.hpp"
-#include "studio/studio_files.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
@@ -28,19 +27,6 @@ struct SiteOptions {
     std::string maps;
     std::string wasm;
 };
-
-std::string planner_of(const SiteOptions& options) {
-    constexpr std::string_view magic{"\0asm", 4};
-    if (options.wasm.empty()) {
-        if (!studio::planner().empty()) return std::string(studio::planner());
-        throw InputError(
-            "this waybreaker was built without the planner for pages: build the preset wasm, and give its studio.wasm "
-            "with --wasm, or with -DWAYBREAKER_WASM=FILE when waybreaker is configured");
-    }
-    std::string bytes = io::read_whole(options.wasm);
-    if (!bytes.starts_with(magic)) throw InputError(options.wasm, 0, "is no WebAssembly");
-    return bytes;
-}
 
 // A folder that may be replaced: none, an empty one, or an earlier site.
 void require_replaceable(const fs::path& folder) {
@@ -96,7 +82,7 @@ void run(const SiteOptions& options) {
     fs::path folder = fs::path(options.folder).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();  // "site/"
     require_replaceable(folder);
-    const std::string wasm = planner_of(options);
+    const std::string wasm = page_planner(options.wasm);
     std::vector<service::SiteFile> files;
     {
         const Progress progress("reading maps");

@@ -13,6 +13,10 @@ std::filesystem::path shared_folder() {
     return std::filesystem::path(WAYBREAKER_SOURCE_DIR) / ".." / "shared";
 }
 
+std::filesystem::path city_in_data(const std::string& name) {
+    return std::filesystem::path(WAYBREAKER_SOURCE_DIR) / "data" / (name + ".tif");
+}
+
 Grid read_city(const std::string& name) {
     const std::filesystem::path path = shared_folder() / "data" / "cities" / (name + ".map");
     std::ifstream in(path, std::ios::binary);

@@ -11,6 +11,9 @@ namespace waybreaker::bench {
 // The folder of shared data: environment variable WAYBREAKER_SHARED, else ../shared beside the project.
 std::filesystem::path shared_folder();
 
+// data/NAME.tif of the project.
+std::filesystem::path city_in_data(const std::string& name);
+
 // data/cities/NAME.map in the shared folder. Throws InputError if it is not there.
 Grid read_city(const std::string& name);
 

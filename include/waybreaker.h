@@ -108,7 +108,7 @@ int32_t waybreaker_map_width(const waybreaker_map* map);
 int32_t waybreaker_map_height(const waybreaker_map* map);
 uint32_t waybreaker_map_obstacle_count(const waybreaker_map* map);
 // Of each cell the id of its obstacle, 0 where it is free. Ids are 1, 2, 3, ... in scan order, whatever the labels were
-// that the map was made from.
+// that the map was made from; those that edits add come last.
 const uint32_t* waybreaker_map_labels(const waybreaker_map* map);
 // "sha256:..." of what the map was made from, as plans state it (docs/c.md).
 const char* waybreaker_map_digest(const waybreaker_map* map);
@@ -120,8 +120,34 @@ typedef struct waybreaker_obstacle {
     waybreaker_attributes attributes;
 } waybreaker_obstacle;
 
-// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count.
+// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count. One that edits have taken away has
+// no cells, and its bounding box is empty: min_x > max_x.
 bool waybreaker_map_obstacle(const waybreaker_map* map, uint32_t id, waybreaker_obstacle* obstacle);
+
+typedef struct waybreaker_cell {
+    int32_t x, y;
+} waybreaker_cell;
+
+typedef enum waybreaker_edit_kind {
+    WAYBREAKER_EDIT_REMOVE = 0,  // all cells of the obstacle are free then, and it is gone
+    WAYBREAKER_EDIT_ADD = 1,     // a new obstacle has these cells; its id is the one after the last
+    WAYBREAKER_EDIT_EXTEND = 2,  // the obstacle has these cells as well, whatever they were
+    WAYBREAKER_EDIT_FREE = 3     // these cells are free
+} waybreaker_edit_kind;
+
+// Members that a kind does not name are not read.
+typedef struct waybreaker_edit {
+    int32_t kind;                      // a waybreaker_edit_kind
+    uint32_t obstacle;                 // of remove and extend
+    const waybreaker_cell* cells;      // of add, extend and free
+    size_t cell_count;                 // of those
+    waybreaker_attributes attributes;  // of add
+} waybreaker_edit;
+
+// The map with its obstacles changed, one edit after the other; the map that is passed in stays as it is. All other
+// obstacles keep their ids, and rows that stay the same are shared: it costs a small part of a new map.
+waybreaker_status waybreaker_map_with(const waybreaker_map* map, const waybreaker_edit* edits, size_t edit_count,
+                                      waybreaker_map** edited, waybreaker_text** error);
 
 // ---- Planning ----
 
@@ -142,6 +168,20 @@ waybreaker_status waybreaker_front(waybreaker_planner* planner, const waybreaker
                                    size_t mission_size, bool timing_fields, waybreaker_text** plan,
                                    waybreaker_text** error);
 
+// The rest of a mission planned anew, from what has happened: the plan ("waybreaker-plan/1") that takes over from
+// `plan`, as `waybreaker revise --json` writes it for a `state` ("waybreaker-state/1", docs/live.md). The map is the
+// one that the mission began on: what was found since is in the plans. `reaction`: how long it takes until agents know
+// of the new plan, 0 to 1e9 units of time. `seconds`: how long to plan at most, as limits of missions have it; INFINITY
+// is no limit.
+//
+// Its "revision" says what has become of `plan`, in "status": "kept", "revised", "no_plan" (and the plan's own "status"
+// why), or "broken": then "halts" says who must stop, before which point of its path, by when. A report that `plan`
+// knows already gives `plan` once more. "supersedes" is the SHA-256 of the bytes that are passed in as `plan`.
+waybreaker_status waybreaker_revise(waybreaker_planner* planner, const waybreaker_map* map, const char* plan,
+                                    size_t plan_size, const char* state, size_t state_size, double reaction,
+                                    double seconds, bool timing_fields, waybreaker_text** revised,
+                                    waybreaker_text** error);
+
 // Lets the call that runs on the planner end soon, with the best plan found by then ("limit_reached"), or with one of
 // status "stopped". Does nothing if none runs, nor to calls that begin later.
 void waybreaker_planner_stop(waybreaker_planner* planner);
@@ -152,6 +192,12 @@ void waybreaker_planner_stop(waybreaker_planner* planner);
 // `*valid`, if `valid` is not NULL: whether nothing is wrong.
 waybreaker_status waybreaker_check(const waybreaker_map* map, const char* plan, size_t plan_size, bool* valid,
                                    waybreaker_text** report, waybreaker_text** error);
+
+// Judges a plan that revises `before`, from a state: also whether it goes on from there, as `waybreaker check --after`
+// does. Everybody keeps to what he was bound to do, nobody is forgotten, and what is open, failed or used up counts.
+waybreaker_status waybreaker_check_after(const waybreaker_map* map, const char* plan, size_t plan_size,
+                                         const char* before, size_t before_size, const char* state, size_t state_size,
+                                         bool* valid, waybreaker_text** report, waybreaker_text** error);
 
 // The picture of a plan that is valid on the map.
 waybreaker_status waybreaker_plan_svg(const waybreaker_map* map, const char* plan, size_t plan_size,

@@ -56,15 +56,16 @@ enum class Rule {
     orders,      // whoever keeps them is safe, however late anybody is, and nobody waits for ever
     surface,     // what a ground agent drives over is what the plan file says it is
     continuity,  // a revision goes on from where everybody is
+    if_failed,   // a failed breach leaves no plan below the bound, nor more removals than allowed
 };
 
 template <>
-inline constexpr std::array<std::string_view, 34> words_of<Rule>{
-    "map",       "status",    "agents",     "start",    "goal",     "time",     "speed",           "vertex",
-    "collision", "obstacle",  "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
-    "order",     "next",      "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-    "bound",     "gap",       "separation", "capacity", "saves",    "gain",     "waits",           "orders",
-    "surface",   "continuity"};
+inline constexpr std::array<std::string_view, 35> words_of<Rule>{
+    "map",       "status",     "agents",     "start",    "goal",     "time",     "speed",           "vertex",
+    "collision", "obstacle",   "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
+    "order",     "next",       "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
+    "bound",     "gap",        "separation", "capacity", "saves",    "gain",     "waits",           "orders",
+    "surface",   "continuity", "if_failed"};
 
 struct Violation {
     Rule rule = Rule::map;

@@ -73,6 +73,14 @@ struct Order {
     double slack = 0;  // how late `before` may be until `after` is put off, everybody else as planned; units of time
 };
 
+// Plan B: what a mission comes to where a breach turns out to have failed when it was to be done, all else as planned
+// until then.
+struct IfFailed {
+    double objective = 0;                  // +infinity: there is no plan then, or a vehicle cannot stop any more
+    std::vector<ObstacleId> removed = {};  // all that are, before the failure and after it; none without a plan
+    friend bool operator==(const IfFailed&, const IfFailed&) = default;
+};
+
 // One obstacle an air agent removes.
 struct Breach {
     ObstacleId obstacle = {};
@@ -85,6 +93,7 @@ struct Breach {
     // What the objective would lose if this one had to stay; if asked for (below 0: it gains; +infinity: there is no
     // plan then).
     std::optional<double> saves = {};
+    std::optional<IfFailed> if_failed = {};  // if asked for (with_plan_b of revise.hpp)
     // Of a team's plan: the air agent that breaches it, and when it begins to.
     std::string by = {};
     std::optional<double> begun_at = {};
@@ -151,6 +160,21 @@ struct Found {
 // The map with what was found laid over it, one after the other.
 [[nodiscard]] Map laid_over(const Map& map, std::span<const Found> found);
 
+// What has become of a plan (revise.hpp). `unchanged`: it knows that report already, which is looked at no further.
+// `kept`: nothing better was found than the rest of it. `revised`: the rest is another one. `no_plan`: none was found;
+// Plan::status says why. `broken`: an agent is bound to meet what is in its way, unless it stops (Revised::halts).
+enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
+template <>
+inline constexpr std::array<std::string_view, 5> words_of<RevisionStatus>{"unchanged", "kept", "revised", "no_plan",
+                                                                          "broken"};
+
+// An agent must stop before it gets to that point of its old path, by then.
+struct Halt {
+    std::string agent = {};
+    std::size_t point = 0;
+    double by = 0;  // units of time
+};
+
 // What a plan says of itself that was made while the mission was under way (revise.hpp).
 struct Revised {
     int number = 1;              // 1 for the first revision, and so on
@@ -158,6 +182,9 @@ struct Revised {
     double now = 0;              // when that was, in units of time; paths begin then
     std::vector<Decision> decisions = {};
     std::vector<Found> found = {};  // since the mission began, in order: laid over the map, it is the one planned on
+    RevisionStatus status = RevisionStatus::revised;  // of the plan before
+    std::vector<Halt> halts = {};                     // if broken
+    std::string reason = {};  // of `no_plan`, where it is no search that says so: for a person, one line
 };
 
 struct Plan {

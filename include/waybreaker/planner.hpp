@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -80,6 +81,12 @@ class Planner {
     std::vector<Plan> front(const Map& map, const Mission& mission, const Method& method = {},
                             const Limits& limits = {});
 
+    // The plan, first, and the other choices that were evaluated on the way to it and whose objective is above its own
+    // by no more than that share of it, 0 to 1: other sets of removals, or none. The better first; nothing is evaluated
+    // for this alone, and of several ground agents there is the plan only. Not explained, but for the plan.
+    std::vector<Plan> alternatives(const Map& map, const Mission& mission, double share, const Method& method = {},
+                                   const Limits& limits = {});
+
     // The same by the default method.
     Plan plan(const Map& map, const Mission& mission, const Limits& limits) { return plan(map, mission, {}, limits); }
     Expected<Plan> try_plan(const Map& map, const Mission& mission, const Limits& limits) {
@@ -94,8 +101,13 @@ class Planner {
     }
 
   private:
-    // Of a valid mission without idle aircraft.
-    Plan plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
+    // The plan, and alternatives where a share is given.
+    std::vector<Plan> plans(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                            std::optional<double> share);
+    // Of a valid mission without idle aircraft. Appends to `evaluated` what the plan was chosen from, of one ground
+    // agent with aircraft.
+    Plan plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                     std::vector<Plan>* evaluated = nullptr);
     std::vector<Plan> front_of_active(const Map& map, const Mission& mission, const Method& method,
                                       const Limits& limits);
 

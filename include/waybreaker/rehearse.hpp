@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -108,6 +109,17 @@ struct Rehearsal {
 [[nodiscard]] Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan,
                                  const RehearsalOptions& options = {}, const Method& method = {},
                                  const Limits& limits = {});
+
+// Of rehearsals of plans of one mission on the same draws, the place of the one to prefer: the most runs arrive; of
+// those, the mean makespan is the least (that of ground agents, where it is the objective); of those, the first.
+//
+//     std::vector<Rehearsal> rehearsals;
+//     for (const Plan& plan : planner.alternatives(map, mission, 0.01))
+//         rehearsals.push_back(rehearse(map, mission, plan, {.fail = 0.1}));
+//     most_robust(rehearsals, mission.rules.objective);
+//
+// REQUIRES: there is one, and all have as many runs.
+[[nodiscard]] std::size_t most_robust(std::span<const Rehearsal> rehearsals, Objective objective);
 
 // The share'th smallest of values in rising order (nearest rank); 0 of none.
 [[nodiscard]] double quantile(const std::vector<double>& rising, double share);

@@ -7,12 +7,6 @@
 // horizon and is free. Where that is, and what is left of a mission: docs/live.md.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
@@ -20,32 +14,14 @@
 #include "waybreaker/plan.hpp"
 #include "waybreaker/planner.hpp"
 #include "waybreaker/state.hpp"
-#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
-// `unchanged`: the plan knows that report already; it is looked at no further. `kept`: nothing better was found than the rest of the plan.
-// `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an agent is bound to meet
-// what is in its way, unless it stops (Revision::halts).
-enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
-template <>
-inline constexpr std::array<std::string_view, 5> words_of<RevisionStatus>{"unchanged", "kept", "revised", "no_plan",
-                                                                          "broken"};
-
-// An agent must stop before it gets to that point of its old path, by then.
-struct Halt {
-    std::string agent = {};
-    std::size_t point = 0;
-    double by = 0;  // units of time
-};
-
 struct Revision {
     RevisionStatus status = RevisionStatus::unchanged;
-    Map map;                       // as it is known now, what was found laid over
-    Mission mission = {};          // what is left of it
-    Plan plan = {};                // of that; its paths begin at State::now
-    std::vector<Halt> halts = {};  // if broken
-    std::string reason = {};       // of `no_plan`, where it is no search that says so: for a person, one line
+    Map map;               // as it is known now, what was found laid over
+    Mission mission = {};  // what is left of it
+    Plan plan = {};        // of that; its paths begin at State::now
 };
 
 // Pure: the same arguments, the same revision, time limits aside. `plan` is one of that mission on that map, or a
@@ -55,5 +31,11 @@ struct Revision {
 [[nodiscard]] Revision revise(Planner& planner, const Map& map, const Mission& mission, const Plan& plan,
                               const State& state, double reaction = 0, const Method& method = {},
                               const Limits& limits = {});
+
+// The plan with Breach::if_failed of all its breaches: for each, what comes of the revision at the moment at which it
+// turns out to have failed. limits.seconds are those of all together; of what was not found out in that time, nothing
+// is said. REQUIRES: the plan is one of that mission on that map, or a revision, it is solved, and timing is enforced.
+[[nodiscard]] Plan with_plan_b(Planner& planner, const Map& map, const Mission& mission, Plan plan,
+                               const Method& method = {}, const Limits& limits = {});
 
 }  // namespace waybreaker

@@ -1,4 +1,5 @@
-// The documents of docs/contract.md: missions (section 6), plans (section 4), reports of the check.
+// The documents of docs/contract.md: missions (section 6), plans (section 4), reports of the check; and the state of a mission under way
+// (docs/live.md).
 
 /** x to the right, y down; the upper left cell is [0, 0]. */
 export type Cell = [x: number, y: number];
@@ -37,6 +38,12 @@ export interface AirAgent {
   breaches?: number;
 }
 
+/** An obstacle, by id, and when it opens, or its breach failed. */
+export interface Opening {
+  obstacle: number;
+  at: number;
+}
+
 export interface Rules {
   /** How many obstacles may be removed; 3. */
   removals?: number;
@@ -49,7 +56,11 @@ export interface Rules {
   /** Obstacles that must be removed. */
   force?: number[];
   /** Obstacles that open at that time, whoever opens them. */
-  opened?: { obstacle: number; at: number }[];
+  opened?: Opening[];
+  /** Of a mission under way: breaches that have failed, each once for each time. */
+  failed?: number[];
+  /** How often a breach that has failed may be tried again; 0. */
+  retries?: number;
   breach_time?: number;
   breach_time_per_cell?: number;
   timing?: "enforce" | "ignore";
@@ -129,6 +140,8 @@ export interface Removal {
   /** When a vehicle first touches it; null: never. */
   entered_at: number | null;
   saves?: number | null;
+  /** Plan B, of plans made with --plan-b: what the objective comes to if this breach fails; null: there is no plan. */
+  if_failed?: { objective: number | null; removed: number[] };
 }
 
 export interface Wait {
@@ -201,10 +214,74 @@ export interface Step {
   area_m2?: number;
 }
 
+/** Cells that turned out to be other than the map says. Blocked ones are one new obstacle. */
+export interface Found {
+  cells: Cell[];
+  /** true. */
+  blocked?: boolean;
+  /** Whether aircraft may breach it; false. */
+  destructible?: boolean;
+}
+
+/** What has happened to an agent of a plan. */
+export interface AgentState {
+  id: string;
+  /** The last point of its path, counted from 0, that it has left behind. */
+  passed: number;
+  /** Where it is, in cells; where the plan has it by now. */
+  at?: [x: number, y: number];
+  /** "driving" (flying as well). Who has stopped blocks its cells, who is lost nothing; neither takes any further part. */
+  doing?: "driving" | "waiting" | "breaching" | "stopped" | "lost";
+  /** It is to go there from now on. */
+  goal?: Cell;
+}
+
+/** What has happened to a plan by `now`, on its clock. */
+export interface State {
+  format: "waybreaker-state/1";
+  /** Of reports, rising from 1. One that the plan knows already changes nothing. */
+  sequence: number;
+  now: number;
+  /** Who is not named is where the plan has it. */
+  agents?: AgentState[];
+  /** What is open, whoever opened it, or will be at that time. */
+  opened?: Opening[];
+  /** Breaches that left the obstacle standing. */
+  failed?: Opening[];
+  found?: Found[];
+  /** New agents. */
+  joined?: (GroundAgent | AirAgent)[];
+}
+
+/** What a plan says of itself that was made while the mission was under way. */
+export interface Revision {
+  /** 1 for the first one. */
+  number: number;
+  /** Of the last report that it knows. */
+  sequence: number;
+  /** When that was. Paths begin then. */
+  now: number;
+  /**
+   * What has become of the plan before. "kept": nothing better was found than the rest of it. "revised": the rest is another one.
+   * "no_plan": none was found. "broken": agents are bound to meet what is in their way, unless they stop (`halts`).
+   */
+  status?: "kept" | "revised" | "no_plan" | "broken";
+  /** SHA-256 of the text of the plan before. */
+  supersedes?: string;
+  /** Up to which point of its path each agent keeps to the plan before, and when it is there. */
+  decided: { agent: string; point: number; time: number }[];
+  /** If broken: who must stop, before which point of its path, by when. */
+  halts?: { agent: string; point: number; by: number }[];
+  /** Since the mission began. */
+  found?: Found[];
+}
+
 export interface Plan {
   format: "waybreaker-plan/1";
   status: Status;
   limit_reached?: true;
+  /** Of a plan that revises another. */
+  revision?: Revision;
   map: { source: string; width: number; height: number; cell_size: number; digest: string };
   options: Record<string, unknown>;
   mission: Mission;
@@ -254,6 +331,17 @@ export interface Obstacle extends Required<Attributes> {
   max: Cell;
 }
 
+/** A change of a map. Obstacles that it does not name keep their ids. */
+export type MapEdit =
+  /** All cells of the obstacle are free then, and it is gone. */
+  | { remove: number }
+  /** A new obstacle has these cells, whatever they were; its id is the one after the last. */
+  | { add: readonly Cell[]; attributes?: Attributes }
+  /** The obstacle has these cells as well, whatever they were. */
+  | { extend: number; cells: readonly Cell[] }
+  /** These cells are free. */
+  | { free: readonly Cell[] };
+
 export interface MapOptions {
   /** What plans call the map's source; "map". */
   name?: string;
@@ -274,4 +362,17 @@ export interface LabelOptions extends MapOptions {
 export interface PlanOptions {
   /** With measured seconds in the plan, as the command writes it. Without, equal input gives equal plans. */
   timing?: boolean;
+}
+
+export interface ReviseOptions extends PlanOptions {
+  /** How long it takes until agents know of the new plan; until then they keep to the old one. 0. */
+  reaction?: number;
+  /** How long planning may take; 10. null: no limit. */
+  seconds?: number | null;
+}
+
+/** The plan before, and what had happened to it. */
+export interface Continuity {
+  after: Plan | string;
+  state: State | string;
 }

@@ -1,14 +1,18 @@
 import type {
   Attributes,
   Cell,
+  Continuity,
   GridOptions,
   LabelOptions,
+  MapEdit,
   MapOptions,
   Mission,
   Obstacle,
   Plan,
   PlanOptions,
   Report,
+  ReviseOptions,
+  State,
 } from "./documents.js";
 import { InputError } from "./errors.js";
 import { Library, type Pointer, textOf, utf8 } from "./library.js";
@@ -28,7 +32,7 @@ function release({ library, pointer }: Held): void {
 export class PlannerMap {
   readonly width: number;
   readonly height: number;
-  /** Obstacles have the ids 1, 2, ..., in the order of their first cells, row by row. */
+  /** Obstacles have the ids 1, 2, ..., in the order of their first cells, row by row; those that edits add come last. */
   readonly obstacleCount: number;
   /** "sha256:..." of what it was made from, as plans state it. */
   readonly digest: string;
@@ -57,6 +61,21 @@ export class PlannerMap {
     return library.with([new Uint8Array(obstacleBytes)], (at) =>
       library.call("waybreaker_map_obstacle", pointer, id, at) === 0 ? undefined : readObstacle(library.view(), at),
     );
+  }
+
+  /**
+   * The map with its obstacles changed, one edit after the other; this one stays as it is. All other obstacles keep
+   * their ids, and it costs a small part of a new map. An obstacle that is gone has no cells.
+   */
+  with(edits: readonly MapEdit[]): PlannerMap {
+    const { library, pointer } = this.held();
+    const listed = edits.map(listedEdit);
+    const cells = Int32Array.from(listed.flatMap((edit) => edit.cells.flat()));
+    const table = new Uint8Array(listed.length * editBytes);
+    return library.with([cells, table], (cellsAt, tableAt) => {
+      writeEdits(library.view(), tableAt!, listed, cellsAt!);
+      return new PlannerMap(library, library.result("waybreaker_map_with", pointer, tableAt!, listed.length));
+    });
   }
 
   /** Frees its memory; the map cannot be used afterwards. */
@@ -92,6 +111,53 @@ function bigInteger(value: number | bigint): bigint {
   return BigInt(value);
 }
 
+// Of waybreaker_edit and waybreaker_cell.
+const editBytes = 16 + attributeBytes;
+const cellBytes = 8;
+
+interface ListedEdit {
+  kind: number; // waybreaker_edit_kind
+  obstacle: number;
+  cells: readonly Cell[];
+  attributes: Attributes;
+}
+
+function listedEdit(edit: MapEdit): ListedEdit {
+  const listed = { kind: 0, obstacle: 0, cells: [], attributes: {} };
+  if ("remove" in edit) return { ...listed, obstacle: id(edit.remove) };
+  if ("add" in edit) return { ...listed, kind: 1, cells: cellsOf(edit.add), attributes: edit.attributes ?? {} };
+  if ("extend" in edit) return { ...listed, kind: 2, obstacle: id(edit.extend), cells: cellsOf(edit.cells) };
+  if ("free" in edit) return { ...listed, kind: 3, cells: cellsOf(edit.free) };
+  throw new InputError("an edit has remove, add, extend or free");
+}
+
+function id(obstacle: number): number {
+  if (Number.isInteger(obstacle) && obstacle >= 0 && obstacle < 2 ** 32) return obstacle;
+  throw new InputError(`${obstacle} is no id of an obstacle`);
+}
+
+function cellsOf(cells: readonly Cell[]): readonly Cell[] {
+  const isWhole = (side: unknown): boolean => Number.isInteger(side) && Math.abs(side as number) < 2 ** 31;
+  if (!Array.isArray(cells)) throw new InputError("the cells of an edit are a list of [x, y]");
+  for (const cell of cells) {
+    if (Array.isArray(cell) && cell.length === 2 && cell.every(isWhole)) continue;
+    throw new InputError(`${JSON.stringify(cell)} is no cell [x, y]`);
+  }
+  return cells;
+}
+
+function writeEdits(view: DataView, at: Pointer, edits: readonly ListedEdit[], cellsAt: Pointer): void {
+  for (const { kind, obstacle, cells, attributes } of edits) {
+    view.setInt32(at, kind, true);
+    view.setUint32(at + 4, obstacle, true);
+    view.setUint32(at + 8, cellsAt, true);
+    view.setUint32(at + 12, cells.length, true);
+    writeAttributes(view, at + 16, attributes);
+    cellsAt += cells.length * cellBytes;
+    at += editBytes;
+  }
+}
+
 function readObstacle(view: DataView, at: Pointer): Obstacle {
   const cell = (offset: number): Cell => [view.getInt32(at + offset, true), view.getInt32(at + offset + 4, true)];
   const source = view.getBigInt64(at + 24, true);
@@ -107,6 +173,8 @@ function readObstacle(view: DataView, at: Pointer): Obstacle {
     destructible: view.getUint8(at + 48) !== 0,
   };
 }
+
+const usualSeconds = 10; // as the command has it
 
 function text(document: unknown): Uint8Array {
   return utf8(textOf(document));
@@ -200,12 +268,44 @@ export class Planner {
     return this.#planning("waybreaker_front", map, mission, options);
   }
 
-  /** Judges a plan from the map alone. */
-  check(map: PlannerMap, plan: Plan | string): Report {
+  /**
+   * The rest of a mission planned anew, from what has happened: the plan that takes over. The map is the one that the
+   * mission began on. No plan is no error: `status` says so, and `revision` what has become of the plan before. A state
+   * that the plan knows already gives it again.
+   */
+  revise(map: PlannerMap, plan: Plan | string, state: State | string, options?: ReviseOptions): Plan {
+    return JSON.parse(this.reviseText(map, plan, state, options)) as Plan;
+  }
+  /** The same as a text, which equals what `waybreaker revise` writes to the byte, if `plan` is a text that equals its file. */
+  reviseText(map: PlannerMap, plan: Plan | string, state: State | string, options: ReviseOptions = {}): string {
+    const { library, planner, pointer } = this.#with(map);
+    const { reaction = 0, seconds = usualSeconds, timing } = options;
+    const [before, report] = [text(plan), text(state)];
+    return library.with([before, report], (at, stateAt) =>
+      library.textResult(
+        "waybreaker_revise",
+        planner,
+        pointer,
+        at!,
+        before.length,
+        stateAt!,
+        report.length,
+        reaction,
+        seconds ?? Infinity,
+        timing === true ? 1 : 0,
+      ),
+    );
+  }
+
+  /** Judges a plan from the map alone; with `after` and `state`, also whether it goes on from the plan before. */
+  check(map: PlannerMap, plan: Plan | string, continuity: Partial<Continuity> = {}): Report {
     const { library, pointer } = map.held();
-    const bytes = text(plan);
-    const answer = library.with([bytes], (at) =>
-      library.textResult("waybreaker_check", pointer, at!, bytes.length, 0),
+    const { after, state } = continuity;
+    if ((after === undefined) !== (state === undefined)) throw new InputError("after and state belong together");
+    const documents = (after === undefined ? [plan] : [plan, after, state]).map(text);
+    const call = after === undefined ? "waybreaker_check" : "waybreaker_check_after";
+    const answer = library.with(documents, (...at) =>
+      library.textResult(call, pointer, ...documents.flatMap((bytes, i) => [at[i]!, bytes.length]), 0),
     );
     return JSON.parse(answer) as Report;
   }
@@ -223,14 +323,19 @@ export class Planner {
   }
 
   #planning(call: string, map: PlannerMap, mission: Mission | string, options: PlanOptions): string {
-    this.#live();
-    const { library, pointer } = map.held();
-    const planner = library === this.#library ? this.#kept() : undefined;
-    if (planner === undefined) throw new InputError("the map is another planner's, or from before it failed: make it again");
+    const { library, planner, pointer } = this.#with(map);
     const bytes = text(mission);
     return library.with([bytes], (at) =>
       library.textResult(call, planner, pointer, at!, bytes.length, options.timing === true ? 1 : 0),
     );
+  }
+
+  // What plans on a map.
+  #with(map: PlannerMap): Held & { planner: Pointer } {
+    this.#live();
+    const { library, pointer } = map.held();
+    if (library === this.#library) return { library, pointer, planner: this.#kept() };
+    throw new InputError("the map is another planner's, or from before it failed: make it again");
   }
 
   #map(

@@ -1,17 +1,21 @@
 // The page's side of a planner in a worker. One call at a time is with the worker, so that a call that is cancelled
 // takes only itself along: the worker is ended, a new one is started, and maps are made again there when they are needed.
 import type {
+  Continuity,
   GridOptions,
   LabelOptions,
+  MapEdit,
   Mission,
   Obstacle,
   Plan,
   PlanOptions,
   Report,
+  ReviseOptions,
+  State,
 } from "./documents.js";
 import { errorNamed, InputError, InternalError } from "./errors.js";
 import { textOf } from "./library.js";
-import type { Call, FromWorker, MapFacts, MapMaker, ToWorker } from "./worker_messages.js";
+import type { Call, FromWorker, MapFacts, MapMaker, Recipe, ToWorker } from "./worker_messages.js";
 
 export interface Cancellable {
   /** Its abort ends the call, which rejects with the signal's reason. */
@@ -51,14 +55,16 @@ export class WorkerMap {
   readonly height: number;
   readonly obstacleCount: number;
   readonly digest: string;
-  readonly #free: () => void;
   readonly #ask: Ask;
+  readonly #edited: (edits: readonly MapEdit[]) => Promise<WorkerMap>;
+  readonly #free: () => void;
 
   /** @internal */
   constructor(
     facts: MapFacts,
     /** @internal */ readonly id: number,
     ask: Ask,
+    edited: (edits: readonly MapEdit[]) => Promise<WorkerMap>,
     free: () => void,
   ) {
     this.width = facts.width;
@@ -66,6 +72,7 @@ export class WorkerMap {
     this.obstacleCount = facts.obstacleCount;
     this.digest = facts.digest;
     this.#ask = ask;
+    this.#edited = edited;
     this.#free = free;
   }
 
@@ -74,6 +81,10 @@ export class WorkerMap {
   }
   async obstacle(id: number): Promise<Obstacle | undefined> {
     return (await this.#ask("obstacle", id)) as Obstacle | undefined;
+  }
+  /** The map with its obstacles changed; this one stays as it is. */
+  with(edits: readonly MapEdit[]): Promise<WorkerMap> {
+    return this.#edited(edits);
   }
   /** Frees its memory; the map cannot be used afterwards. */
   free(): void {
@@ -91,7 +102,7 @@ export class WorkerPlanner {
   #closed = false;
   #nextId = 1;
   /** What maps were made from, by id. */
-  readonly #recipes = new Map<number, unknown[]>();
+  readonly #recipes = new Map<number, Recipe>();
   readonly #forgotten = new FinalizationRegistry<number>((id) => this.#free(id));
 
   /** @internal */
@@ -122,8 +133,20 @@ export class WorkerPlanner {
   frontText(map: WorkerMap, mission: Mission | string, options?: PlanOptions & Cancellable): Promise<string> {
     return this.#planning("frontText", map, mission, options);
   }
-  check(map: WorkerMap, plan: Plan | string, options: Cancellable = {}): Promise<Report> {
-    return this.#ask(map.id, "check", [textOf(plan)], options.signal) as Promise<Report>;
+  async revise(map: WorkerMap, plan: Plan | string, state: State | string, options?: ReviseOptions & Cancellable): Promise<Plan> {
+    return JSON.parse(await this.reviseText(map, plan, state, options)) as Plan;
+  }
+  reviseText(
+    map: WorkerMap,
+    plan: Plan | string,
+    state: State | string,
+    { signal, ...options }: ReviseOptions & Cancellable = {},
+  ): Promise<string> {
+    return this.#ask(map.id, "reviseText", [textOf(plan), textOf(state), options], signal) as Promise<string>;
+  }
+  check(map: WorkerMap, plan: Plan | string, options: Cancellable & Partial<Continuity> = {}): Promise<Report> {
+    const { signal, ...continuity } = options;
+    return this.#ask(map.id, "check", [textOf(plan), continuity], signal) as Promise<Report>;
   }
   svg(map: WorkerMap, plan: Plan | string, options: Cancellable = {}): Promise<string> {
     return this.#ask(map.id, "svg", [textOf(plan)], options.signal) as Promise<string>;
@@ -145,16 +168,28 @@ export class WorkerPlanner {
     return this.#ask(map.id, method, [textOf(mission), options], signal) as Promise<string>;
   }
 
-  async #map(maker: MapMaker, ...parameters: unknown[]): Promise<WorkerMap> {
+  #map(maker: MapMaker, ...parameters: unknown[]): Promise<WorkerMap> {
+    const recipe = { maker, parameters, edits: [] };
+    return this.#made(recipe, (id) => this.#ask(id, "make", [recipe]));
+  }
+
+  // Of the map that is there; it is made anew from what that one was made from.
+  async #edited(before: number, edits: readonly MapEdit[]): Promise<WorkerMap> {
+    const recipe = this.#recipe(before);
+    const asked = structuredClone(edits);
+    return this.#made({ ...recipe, edits: [...recipe.edits, ...asked] }, (id) => this.#ask(before, "edit", [id, asked]));
+  }
+
+  async #made(recipe: Recipe, make: (id: number) => Promise<unknown>): Promise<WorkerMap> {
     const id = this.#nextId++;
-    const recipe = [maker, ...parameters];
     this.#recipes.set(id, recipe);
     try {
-      const facts = (await this.#ask(id, "make", recipe)) as MapFacts;
+      const facts = (await make(id)) as MapFacts;
       const map = new WorkerMap(
         facts,
         id,
         (method, ...parameters) => this.#ask(id, method, parameters),
+        (edits) => this.#edited(id, edits),
         () => this.#free(id),
       );
       this.#forgotten.register(map, id);
@@ -174,11 +209,16 @@ export class WorkerPlanner {
 
   #ask(map: number, method: Call["method"], parameters: unknown[], signal?: AbortSignal): Promise<unknown> {
     return this.#queue(async () => {
-      const recipe = this.#recipes.get(map);
-      if (recipe === undefined) throw new InputError("the map has been freed");
-      if (method !== "make" && !this.#worker().maps.has(map)) await this.#send(map, "make", recipe);
+      const recipe = this.#recipe(map);
+      if (method !== "make" && !this.#worker().maps.has(map)) await this.#send(map, "make", [recipe]);
       return this.#send(map, method, parameters);
     }, signal);
+  }
+
+  #recipe(map: number): Recipe {
+    const recipe = this.#recipes.get(map);
+    if (recipe === undefined) throw new InputError("the map has been freed");
+    return recipe;
   }
 
   // Runs `work` after all that was asked for before.
@@ -216,6 +256,7 @@ export class WorkerPlanner {
         connection.post({ id, map, method, parameters });
       });
       if (method === "make") maps.add(map);
+      if (method === "edit") maps.add(parameters[0] as number);
       return result;
     } catch (error) {
       if (error instanceof InternalError) this.#restart(error);

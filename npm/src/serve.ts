@@ -1,22 +1,32 @@
 // The worker's side: does what it is sent, one call after the other.
+import type { MapEdit } from "./documents.js";
 import { Planner, type PlannerMap } from "./planner.js";
-import type { Call, FromWorker, MapFacts, MapMaker, ToWorker } from "./worker_messages.js";
+import type { Call, FromWorker, MapFacts, Recipe, ToWorker } from "./worker_messages.js";
 
 export function server(answer: (message: FromWorker) => void): (message: ToWorker) => void {
   let planner: Planner | undefined;
   const maps = new Map<number, PlannerMap>();
 
-  function make(id: number, [maker, ...parameters]: unknown[]): MapFacts {
-    const make = planner![maker as MapMaker] as (...parameters: unknown[]) => PlannerMap;
-    const map = make.apply(planner, parameters);
+  function keep(id: number, map: PlannerMap): MapFacts {
     maps.set(id, map);
     return { width: map.width, height: map.height, obstacleCount: map.obstacleCount, digest: map.digest };
   }
 
+  function make(id: number, { maker, parameters, edits }: Recipe): MapFacts {
+    const make = planner![maker] as (...parameters: unknown[]) => PlannerMap;
+    const map = make.apply(planner, parameters);
+    if (edits.length === 0) return keep(id, map);
+    const edited = map.with(edits);
+    map.free();
+    return keep(id, edited);
+  }
+
   function run({ map: id, method, parameters }: Call): unknown {
-    if (method === "make") return make(id, parameters);
+    if (method === "make") return make(id, parameters[0] as Recipe);
     const map = maps.get(id)!;
     switch (method) {
+      case "edit":
+        return keep(parameters[0] as number, map.with(parameters[1] as MapEdit[]));
       case "free":
         map.free();
         return maps.delete(id);

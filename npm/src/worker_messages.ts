@@ -1,10 +1,11 @@
 // What page and worker send each other.
+import type { MapEdit } from "./documents.js";
 
 export interface Call {
   id: number;
   /** Of a map; 0 where none is needed. */
   map: number;
-  method: "make" | "free" | "planText" | "frontText" | "check" | "svg" | "labels" | "obstacle";
+  method: "make" | "edit" | "free" | "planText" | "frontText" | "reviseText" | "check" | "svg" | "labels" | "obstacle";
   parameters: unknown[];
 }
 
@@ -20,6 +21,13 @@ export interface MapFacts {
   height: number;
   obstacleCount: number;
   digest: string;
+}
+
+/** What a map is made from: how, from what, and what has changed since. */
+export interface Recipe {
+  maker: MapMaker;
+  parameters: unknown[];
+  edits: readonly MapEdit[];
 }
 
 export type MapMaker = "mapFromMovingAI" | "mapFromGrid" | "mapFromLabels";

@@ -20,10 +20,12 @@ for (const example of ["walls_fall", "frames"]) {
   });
 }
 
-it("the program of the site prints what it does in C++", () => {
-  const script = readFileSync(join(project, "examples/embed.mjs"), "utf8");
-  assert.equal(run(script), readFileSync(join(project, "examples/embed.txt"), "utf8"));
-});
+for (const example of ["embed", "failed_breach"]) {
+  it(`${example}.mjs prints what it does in C++`, () => {
+    const script = readFileSync(join(project, `examples/${example}.mjs`), "utf8");
+    assert.equal(run(script), readFileSync(join(project, `examples/${example}.txt`), "utf8"));
+  });
+}
 
 it("the README's first mission breaks the wall", () => {
   const [, script] = /```js\n(import \{ createPlanner \}.*?)```/s.exec(readFileSync(join(here, "README.md"), "utf8"));

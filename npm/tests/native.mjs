@@ -54,6 +54,23 @@ export function nativePlan(scratch, { name, map, mission, front = false, options
   return stdout.toString();
 }
 
+/** What the command makes of a plan (a text) and a state: the next plan, and the report of its check. */
+export function nativeRevision(scratch, { name, map, plan, state, reaction = 0 }) {
+  const mapFile = scratch.file(name, map);
+  const planFile = scratch.file("before.json", plan);
+  const stateFile = scratch.file("state.json", JSON.stringify(state));
+  const [newFile, reportFile] = ["new.json", "report.json"].map((file) => join(scratch.folder, file));
+  const run = (...words) => {
+    const { status, stderr } = spawnSync(command, words.map(String));
+    if (status === refused) throw new Refused(stderr.toString());
+    if (status !== 0 && !noPlan.includes(status)) throw new Error(`${command}: status ${status}, ${stderr}`);
+  };
+  const limits = ["--reaction", reaction, "--time-limit", 1e6];
+  run("revise", mapFile, planFile, "--state", stateFile, ...limits, "--no-timing", "--json", newFile);
+  run("check", mapFile, newFile, "--after", planFile, "--state", stateFile, "--json", reportFile);
+  return { plan: readFileSync(newFile, "utf8"), report: JSON.parse(readFileSync(reportFile, "utf8")) };
+}
+
 /** A map of data/ as a MovingAI map. */
 export function cityMap(scratch, tiff) {
   const path = join(scratch.folder, "city.map");

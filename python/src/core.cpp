@@ -20,13 +20,18 @@
 #include "interruptible.hpp"
 #include "io/check_report.hpp"
 #include "io/labels_digest.hpp"
+#include "io/map_with_edits.hpp"
 #include "io/mission_json.hpp"
+#include "io/plan_file.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_json.hpp"
+#include "io/sha256.hpp"
+#include "io/state_json.hpp"
 #include "labels/label_map.hpp"
 #include "labels/obstacle_names.hpp"
 #include "render/picture.hpp"
 #include "render/plan_picture.hpp"
+#include "revision/revised_file.hpp"
 #include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
@@ -112,6 +117,45 @@ KnownMap map_of_labels(const Labels& labels, const std::vector<std::pair<std::ui
     site::DescribedMap described = site::described(std::move(layer));
     own.digest = io::labels_digest(described.map);
     return known({.map = std::move(described.map), .annotations = std::move(described.annotations)}, std::move(own));
+}
+
+// Kind, as MapEdit has it, obstacle, cells, and what is known of an obstacle that is added.
+using Edit = std::tuple<int, std::uint32_t, std::vector<std::array<int, 2>>, LabelAttributes>;
+
+MapEdit edit_of(const Edit& edit) {
+    const auto& [kind, obstacle, places, described] = edit;
+    std::vector<Cell> cells;
+    for (const auto& [x, y] : places) cells.push_back({x, y});
+    switch (MapEdit::Kind(kind)) {
+        case MapEdit::Kind::remove:
+            return MapEdit::remove({obstacle});
+        case MapEdit::Kind::add: {
+            const auto& [destructible, source_id, weight, breach_time, called] = described;
+            return MapEdit::add(std::move(cells), {destructible, source_id, weight, breach_time});
+        }
+        case MapEdit::Kind::extend:
+            return MapEdit::extend({obstacle}, std::move(cells));
+        case MapEdit::Kind::free:
+            break;
+    }
+    return MapEdit::free(std::move(cells));
+}
+
+KnownMap with_edits(const KnownMap& map, const std::vector<Edit>& edits) {
+    std::vector<MapEdit> all;
+    std::transform(edits.begin(), edits.end(), std::back_inserter(all), edit_of);
+    io::MapFile file = io::with_edits(*map.file, all);
+    site::ObstacleNames& names = file.annotations.names;
+    std::size_t next = map.file->map.obstacles().size();
+    for (const auto& [kind, obstacle, cells, described] : edits) {
+        if (MapEdit::Kind(kind) != MapEdit::Kind::add) continue;
+        ++next;
+        const std::string& called = std::get<std::string>(described);
+        if (called.empty()) continue;
+        names.resize(std::max(names.size(), next + 1));
+        names[next] = labels::clean_name(called);
+    }
+    return {std::make_shared<const io::MapFile>(std::move(file)), map.connectivity};
 }
 
 // Kind, type, name, shape, and parts as arrays of points.
@@ -201,13 +245,17 @@ struct Planned {
     io::MissionDocument asked;
     Plan plan;
     std::vector<Plan> front = {};
+    io::ImageReading image = {};
+    std::string supersedes = {};
 
     std::string json(bool timing) const {
         return io::plan_json(plan, {.map = *map.file,
                                     .asked = asked,
                                     .connectivity = map.connectivity,
                                     .timing_fields = timing,
-                                    .front = front});
+                                    .image = image,
+                                    .front = front,
+                                    .supersedes = supersedes});
     }
     std::string svg() const {
         return render::svg(map.file->map, asked.mission, plan, render::picture_options(*map.file, asked, plan));
@@ -269,11 +317,45 @@ std::vector<Planned> front(const KnownMap& map, const std::string& mission, unsi
     });
 }
 
+// What takes over from the plan of a document, by the document of a state.
+Planned revise(const KnownMap& map, const std::string& plan, const std::string& state, double reaction, double seconds,
+               unsigned threads) {
+    return interruptible([&](const StopToken& stop) {
+        const io::PlanFile before = io::parse_plan(plan, "plan");
+        io::require_connectivity(before, map.connectivity, "plan");
+        const State reported = io::parse_state(state, "state");
+        const revision::Task task{.before = before,
+                                  .before_name = "plan",
+                                  .digest = io::sha256_digest(plan),
+                                  .map = *map.file,
+                                  .state = reported,
+                                  .state_name = "state",
+                                  .reaction = reaction};
+        Planner planner;
+        revision::RevisedFile next =
+            revision::revise(planner, task, {.seconds = seconds, .threads = threads, .stop = stop});
+        return Planned{.map = {std::make_shared<const io::MapFile>(std::move(next.map)), map.connectivity},
+                       .asked = std::move(next.asked),
+                       .plan = std::move(next.plan),
+                       .image = next.image,
+                       .supersedes = std::move(next.supersedes)};
+    });
+}
+
+// The plan before, and the state that it was revised from, as documents.
+using Continuity = std::pair<std::string, std::string>;
+
 // The document of a check, of the document of a plan.
-std::string check(const KnownMap& map, const std::string& plan, double tolerance, bool ignore_digest) {
+std::string check(const KnownMap& map, const std::string& plan, double tolerance, bool ignore_digest,
+                  const std::optional<Continuity>& continuity) {
     return interruptible([&](const StopToken&) {
         const io::PlanFile file = io::parse_plan(plan, "plan");
-        return io::check_json(io::judge(file, *map.file, {.tolerance = tolerance, .ignore_digest = ignore_digest}));
+        const io::MapFile known = io::known_map(*map.file, file.plan);
+        const io::JudgeOptions options{.tolerance = tolerance, .ignore_digest = ignore_digest};
+        if (!continuity) return io::check_json(io::judge(file, known, options));
+        const auto& [after, state] = *continuity;
+        return io::check_json(io::judge_after(file, known, io::parse_plan(after, "the plan before"),
+                                              io::parse_state(state, "state"), options));
     });
 }
 
@@ -298,15 +380,18 @@ PYBIND11_MODULE(_core, module) {
                                    return map.file->has_metres() ? std::optional(map.file->cell_size) : std::nullopt;
                                })
         .def_property_readonly("labels", &labels_of)
-        .def_property_readonly("obstacles", &obstacles_of);
+        .def_property_readonly("obstacles", &obstacles_of)
+        .def("with_edits", &with_edits);
 
     py::class_<Planned>(module, "Plan")
         .def("json", [](const Planned& planned, bool timing) { return py::bytes(planned.json(timing)); })
         .def("svg", &Planned::svg)
-        .def("geojson", &Planned::geojson);
+        .def("geojson", &Planned::geojson)
+        .def_property_readonly("map", [](const Planned& planned) { return planned.map; });
 
     module.def("plan", &plan);
     module.def("front", &front);
+    module.def("revise", &revise);
     module.def("check", &check);
 }
 

@@ -62,7 +62,9 @@ def test_labels_of_a_map_are_the_same_map(drawn: Tuple[Cells, wb.Mission]) -> No
 @given(missions())
 def test_turned_maps_have_plans_as_good(drawn: Tuple[Cells, wb.Mission]) -> None:
     cells, mission = drawn
-    (start, goal) = mission.agents[0].start, mission.agents[0].goal
+    vehicle = mission.agents[0]
+    assert isinstance(vehicle, wb.Vehicle)
+    start, goal = vehicle.start, vehicle.goal
     turned = wb.Mission.ground_and_air(
         (start[1], start[0]),
         (goal[1], goal[0]),

@@ -12,34 +12,45 @@ speeds are in: at speed 1, a cell takes one. Arrays are indexed [y, x]. Bad inpu
 """
 
 from ._core import InputError, __version__
-from ._map import Attributes, Map, Obstacle, Place
+from ._map import Attributes, Map, MapEdit, Obstacle, Place
 from ._mission import Agent, Aircraft, Cell, Limits, Method, Mission, Rules, Vehicle
-from ._plan import Breach, Itinerary, Moment, Order, Outcome, Plan
-from ._planner import Violation, check, front, plan
+from ._plan import Breach, Decision, Halt, IfFailed, Itinerary, Moment, Order, Outcome, Plan, Revision
+from ._planner import Violation, check, front, plan, revise
+from ._state import AgentState, Found, Opening, State
 
 __all__ = [
     "Agent",
+    "AgentState",
     "Aircraft",
     "Attributes",
     "Breach",
     "Cell",
+    "Decision",
+    "Found",
+    "Halt",
+    "IfFailed",
     "InputError",
     "Itinerary",
     "Limits",
     "Map",
+    "MapEdit",
     "Method",
     "Mission",
     "Moment",
     "Obstacle",
+    "Opening",
     "Order",
     "Outcome",
     "Place",
     "Plan",
+    "Revision",
     "Rules",
+    "State",
     "Vehicle",
     "Violation",
     "__version__",
     "check",
     "front",
     "plan",
+    "revise",
 ]

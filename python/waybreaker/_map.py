@@ -6,7 +6,7 @@ import hashlib
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -46,6 +46,36 @@ class Attributes:
     weight: float = 1.0
     breach_time: float = 0.0
     name: str = ""
+
+
+@dataclass(frozen=True)
+class MapEdit:
+    """A change of a map (:meth:`Map.with_edits`): :meth:`remove`, :meth:`add`, :meth:`extend` and :meth:`free` make one."""
+
+    kind: Literal["remove", "add", "extend", "free"]
+    obstacle: int = 0
+    cells: Tuple[Tuple[int, int], ...] = ()
+    attributes: Attributes = Attributes()
+
+    @staticmethod
+    def remove(obstacle: int) -> MapEdit:
+        """All cells of the obstacle are free then, and it is gone: it keeps its id, and has no cells."""
+        return MapEdit("remove", obstacle)
+
+    @staticmethod
+    def add(cells: Iterable[Tuple[int, int]], attributes: Attributes = Attributes()) -> MapEdit:
+        """A new obstacle has these cells, at least one, whatever they were. Its id is the one after the last."""
+        return MapEdit("add", 0, _cells(cells), attributes)
+
+    @staticmethod
+    def extend(obstacle: int, cells: Iterable[Tuple[int, int]]) -> MapEdit:
+        """The obstacle has these cells as well, whatever they were."""
+        return MapEdit("extend", obstacle, _cells(cells))
+
+    @staticmethod
+    def free(cells: Iterable[Tuple[int, int]]) -> MapEdit:
+        """These cells are free. An obstacle that has lost all its cells is gone."""
+        return MapEdit("free", 0, _cells(cells))
 
 
 @dataclass(frozen=True)
@@ -132,9 +162,7 @@ class Map:
         if strange:
             raise _core.InputError(f"attributes has label {strange[0]}, which no cell has")
         dense = np.searchsorted(present, exact).astype(np.uint32)
-        listed = [
-            (ranks[label], (a.destructible, a.source_id, a.weight, a.breach_time, a.name)) for label, a in known.items()
-        ]
+        listed = [(ranks[label], _described(attributes)) for label, attributes in known.items()]
         return Map(_core.Map.from_labels(dense, listed, name, cell_size))
 
     @staticmethod
@@ -227,6 +255,23 @@ class Map:
         """All obstacles: ``obstacles[0]`` has id 1."""
         return [Obstacle(*obstacle) for obstacle in self._core.obstacles]
 
+    def with_edits(self, edits: Iterable[MapEdit]) -> Map:
+        """The map with its obstacles changed, one edit after the other; this one stays as it is.
+
+        All other obstacles keep their ids. Rows that stay the same are shared. The digest is made of that of this map
+        and of the edits. Raises InputError for cells off the map, for obstacles that are not there, and for attributes out
+        of range.
+
+        >>> level = Map.from_labels([[0, 7, 0], [0, 7, 9]])
+        >>> level.with_edits([MapEdit.remove(1), MapEdit.add([(0, 1)])]).labels.tolist()
+        [[0, 0, 0], [3, 0, 2]]
+        """
+        kinds = ("remove", "add", "extend", "free")
+        listed = [
+            (kinds.index(edit.kind), edit.obstacle, edit.cells, _described(edit.attributes)) for edit in edits
+        ]
+        return Map(self._core.with_edits(listed), self._place)
+
     def to_movingai(self) -> bytes:
         """Its cells as a MovingAI file, with nothing that else is known of it."""
         return _movingai(self.blocked)
@@ -248,6 +293,14 @@ class Map:
 
     def __reduce__(self) -> Any:
         raise TypeError("a waybreaker.Map cannot be pickled; open its file again")
+
+
+def _described(a: Attributes) -> Tuple[bool, int, float, float, str]:
+    return a.destructible, a.source_id, a.weight, a.breach_time, a.name
+
+
+def _cells(cells: Iterable[Tuple[int, int]]) -> Tuple[Tuple[int, int], ...]:
+    return tuple((int(x), int(y)) for x, y in cells)
 
 
 def _digest(data: bytes) -> str:

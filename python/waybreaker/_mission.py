@@ -71,8 +71,10 @@ class Rules:
     ``removals``: how many obstacles may go. ``budget``: what they may weigh together, ``budget_m2``: or cover, in
     square metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St.
     Mary*"``); ``force``: numbers of those that must go; ``opened``: those that open by themselves, each
-    ``{"obstacle": number, "at": time}``. ``breach_time`` and ``breach_time_per_cell`` are in units
-    of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
+    ``{"obstacle": number, "at": time}``. Of a mission under way, ``failed`` are numbers of obstacles whose breach has
+    failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and
+    ``breach_time_per_cell`` are in units of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share
+    of the objective, 0 to 1.
     """
 
     removals: Optional[int] = None
@@ -81,6 +83,8 @@ class Rules:
     protect: Optional[Sequence[Union[int, str]]] = None
     force: Optional[Sequence[int]] = None
     opened: Optional[Sequence[Mapping[str, float]]] = None
+    failed: Optional[Sequence[int]] = None
+    retries: Optional[int] = None
     breach_time: Optional[float] = None
     breach_time_per_cell: Optional[float] = None
     timing: Optional[Literal["enforce", "ignore"]] = None
@@ -154,7 +158,7 @@ class Mission:
     def to_dict(self) -> dict[str, Any]:
         """The mission document; what is None is left out."""
         document: dict[str, Any] = {"format": FORMAT}
-        document["agents"] = [{"id": agent.id, "kind": agent.kind, **_members(agent)} for agent in self.agents]
+        document["agents"] = [agent_document(agent) for agent in self.agents]
         for name in ("rules", "method", "limits"):
             members = _members(getattr(self, name))
             if members:
@@ -171,12 +175,7 @@ class Mission:
         """
         if document.get("overlays"):
             raise ValueError("overlays are for the command: 'waybreaker map overlay' makes a map of them")
-        agents: list[Agent] = []
-        for agent in document.get("agents", ()):
-            cells = {"start": tuple(agent.get("start", ())), "goal": tuple(agent.get("goal", ()))}
-            flies = agent.get("kind") == "air"
-            members = {name: value for name, value in agent.items() if name != "kind"}
-            agents.append(_made(Aircraft, {**members, **cells}) if flies else _made(Vehicle, {**members, **cells}))
+        agents = [agent_of(agent) for agent in document.get("agents", ())]
         limits = dict(document.get("limits", {}))
         if "seconds" in limits and limits["seconds"] is None:
             limits["seconds"] = float("inf")
@@ -191,6 +190,19 @@ class Mission:
 
 AnyMission = Union[Mission, Document]
 """A mission, or the mission document as a dict."""
+
+
+def agent_document(agent: Agent) -> dict[str, Any]:
+    """As mission documents have it."""
+    return {"id": agent.id, "kind": agent.kind, **_members(agent)}
+
+
+def agent_of(document: Document) -> Agent:
+    """The agent of its part of a mission document."""
+    cells = {"start": tuple(document.get("start", ())), "goal": tuple(document.get("goal", ()))}
+    members = {name: value for name, value in document.items() if name != "kind"}
+    agent: Agent = _made(Aircraft if document.get("kind") == "air" else Vehicle, {**members, **cells})
+    return agent
 
 
 def _made(part: Any, members: Document) -> Any:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._map import Map
 from ._mission import Cell, Mission
+from ._state import Found
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,12 +36,25 @@ class Outcome:
 
 
 @dataclass(frozen=True)
+class IfFailed:
+    """Plan B: what a mission comes to if a breach fails when it is tried.
+
+    ``objective`` is in units of time, None where there is no plan then. ``removed`` are the ids of all obstacles that
+    are removed then.
+    """
+
+    objective: Optional[float]
+    removed: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Breach:
     """An obstacle that an aircraft removes.
 
     ``obstacle`` is its id, ``at`` the cell from which ``by`` breaches it. It is gone at ``cleared_at``; a vehicle
     first touches it at ``entered_at`` (None: never). ``area_m2`` is known where the map knows how large a cell is,
-    ``saves``, what the objective would lose if it had to stay, with ``explain``.
+    ``saves``, what the objective would lose if it had to stay, with ``explain``; ``if_failed``, of plan files made with
+    ``--plan-b``.
     """
 
     obstacle: int
@@ -52,6 +66,7 @@ class Breach:
     area_m2: Optional[float]
     saves: Optional[float]
     name: str
+    if_failed: Optional[IfFailed] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +119,47 @@ class Order:
     slack: float
 
 
+@dataclass(frozen=True)
+class Decision:
+    """Up to that point of its path an agent keeps to the plan before; it is there at ``time``, in units of time."""
+
+    agent: str
+    point: int
+    time: float
+
+
+@dataclass(frozen=True)
+class Halt:
+    """An agent must stop before it gets to that point of its path in the plan before, at time ``by``."""
+
+    agent: str
+    point: int
+    by: float
+
+
+@dataclass(frozen=True)
+class Revision:
+    """What a plan says of itself that was made while the mission was under way.
+
+    ``number`` is 1 for the first one. ``sequence`` is the last report that it knows, made at ``now``, in units of time;
+    paths begin then. ``status`` is what has become of the plan before: ``kept``, nothing better was found than the rest
+    of it; ``revised``, the rest is another one; ``no_plan``, none was found, and ``reason`` may say why; ``broken``,
+    agents are bound to meet what is in their way unless they stop, as ``halts`` says. ``supersedes`` is the SHA-256 of
+    the document of the plan before. ``decided`` says where each agent stops to keep to that, ``found`` what was found
+    since the mission began.
+    """
+
+    number: int
+    sequence: int
+    now: float
+    status: Literal["kept", "revised", "no_plan", "broken"]
+    reason: str
+    supersedes: str
+    decided: Tuple[Decision, ...]
+    halts: Tuple[Halt, ...]
+    found: Tuple[Found, ...]
+
+
 class Plan:
     """What :func:`plan` gives: who is where when, and what is removed. It never changes."""
 
@@ -133,12 +189,14 @@ class Plan:
         """The path of each agent, in the order of the mission; empty unless solved."""
         self.orders = tuple(_order(order) for order in document.get("orders", ()))
         """What waits for what: who keeps them meets nobody and nothing that stands, whatever comes late."""
+        self.revision: Optional[Revision] = _revision(document.get("revision"))
+        """Of a plan that revises another: which, why, and where agents decide."""
         self.seconds: float = document["seconds"]["total"]
         """How long planning took."""
 
     @property
     def map(self) -> Map:
-        """The map that it was made for."""
+        """The map that it was made for; of a revision, the one that the mission began on."""
         return self._map
 
     @property
@@ -237,6 +295,12 @@ def _cell(document: Any) -> Cell:
     return x, y
 
 
+def _if_failed(document: Optional[dict[str, Any]]) -> Optional[IfFailed]:
+    if document is None:
+        return None
+    return IfFailed(document["objective"], tuple(document["removed"]))
+
+
 def _breach(document: dict[str, Any], aircraft: list[str]) -> Breach:
     return Breach(
         obstacle=document["obstacle"],
@@ -248,6 +312,7 @@ def _breach(document: dict[str, Any], aircraft: list[str]) -> Breach:
         area_m2=document.get("area_m2"),
         saves=document.get("saves"),
         name=document.get("name", ""),
+        if_failed=_if_failed(document.get("if_failed")),
     )
 
 
@@ -259,6 +324,22 @@ def _read_only(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _moment(fields: dict[str, Any]) -> Moment:
     return Moment(fields["agent"], fields["point"], fields.get("fraction", 0.0))
+
+
+def _revision(fields: Optional[dict[str, Any]]) -> Optional[Revision]:
+    if fields is None:
+        return None
+    return Revision(
+        number=fields["number"],
+        sequence=fields["sequence"],
+        now=fields["now"],
+        status=fields["status"],
+        reason=fields.get("reason", ""),
+        supersedes=fields.get("supersedes", ""),
+        decided=tuple(Decision(**decision) for decision in fields["decided"]),
+        halts=tuple(Halt(**halt) for halt in fields.get("halts", ())),
+        found=tuple(Found(**found) for found in fields.get("found", ())),
+    )
 
 
 def _order(fields: dict[str, Any]) -> Order:

@@ -10,6 +10,13 @@ from . import _core
 from ._map import Map
 from ._mission import AnyMission, Limits, document_of
 from ._plan import Plan
+from ._state import AnyState, state_document
+
+AnyPlan = Union[Plan, Mapping[str, Any], bytes, str]
+"""A plan, or a plan file as dict or text."""
+
+USUAL_SECONDS = 10.0
+"""As the command has it."""
 
 
 def plan(
@@ -53,6 +60,32 @@ def front(
     return [Plan(map, step) for step in _core.front(map._core, text, _threads(threads))]
 
 
+def revise(
+    map: Map,
+    plan: AnyPlan,
+    state: AnyState,
+    *,
+    reaction: float = 0.0,
+    seconds: Optional[float] = None,
+    threads: int = 1,
+) -> Plan:
+    """Plans the rest of a mission anew, from what has happened to its plan, as ``waybreaker revise`` does.
+
+    ``map`` is the one that the mission began on. ``plan`` is the plan that holds, a revision as well: a :class:`Plan`,
+    or a plan file as dict or text. ``state`` is a :class:`State`, or the state document as a dict. Agents keep to the
+    old plan until they know of the new one, ``reaction`` units of time after ``state.now``. ``seconds`` is how long to
+    plan at most (None: 10; ``math.inf``: no limit), ``threads`` is as for :func:`plan`.
+
+    What agents are bound to do stays; the rest is planned anew, with a bound, and the old rest is kept if nothing
+    better is found. :attr:`Plan.revision` says what has become of the old plan. No plan is no error: see :attr:`Plan.status`.
+    A state that the plan knows already gives the plan again. Raises InputError if a document is none, the plan is for
+    another map, or the state cannot be one of the plan.
+    """
+    limit = USUAL_SECONDS if seconds is None else seconds
+    text = state_document(state)
+    return Plan(map, _core.revise(map._core, _bytes_of(plan), text, reaction, limit, _threads(threads)))
+
+
 @dataclass(frozen=True)
 class Violation:
     """What is wrong with a plan.
@@ -71,8 +104,10 @@ class Violation:
 
 def check(
     map: Map,
-    plan: Union[Plan, Mapping[str, Any], bytes, str],
+    plan: AnyPlan,
     *,
+    after: Optional[AnyPlan] = None,
+    state: Optional[AnyState] = None,
     tolerance: float = 1e-6,
     ignore_digest: bool = False,
 ) -> list[Violation]:
@@ -81,15 +116,25 @@ def check(
     ``plan`` is a :class:`Plan`, or a plan file as dict or text. Numbers may be off by ``tolerance``, a share of
     themselves. With ``ignore_digest`` another map will do, if only the plan holds on it. Raises InputError if the
     document is no plan.
+
+    With ``after``, the plan before, and ``state``, from which :func:`revise` made this one, also judges whether it goes
+    on from there: everybody keeps to what it was bound to do, nobody is forgotten, and what is open, failed or used up
+    counts.
     """
-    if isinstance(plan, Plan):
-        data = plan.to_json()
-    elif isinstance(plan, (bytes, str)):
-        data = plan.encode() if isinstance(plan, str) else plan
-    else:
-        data = json.dumps(plan).encode()
-    report = json.loads(_core.check(map._core, data, tolerance, ignore_digest))
+    if (after is None) != (state is None):
+        raise _core.InputError("after and state belong together: the plan before, and what had happened to it")
+    continuity = None if after is None or state is None else (_bytes_of(after), state_document(state))
+    report = json.loads(_core.check(map._core, _bytes_of(plan), tolerance, ignore_digest, continuity))
     return [_violation(violation) for violation in report["violations"]]
+
+
+def _bytes_of(plan: AnyPlan) -> bytes:
+    """The plan file."""
+    if isinstance(plan, Plan):
+        return plan.to_json()
+    if isinstance(plan, (bytes, str)):
+        return plan.encode() if isinstance(plan, str) else plan
+    return json.dumps(plan).encode()
 
 
 def _violation(document: dict[str, Any]) -> Violation:

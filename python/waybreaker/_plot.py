@@ -29,7 +29,7 @@ def draw(plan: Plan, ax: Optional[Axes]) -> Axes:
         ) from error
     if ax is None:
         _, ax = pyplot.subplots()
-    labels = plan.map.labels
+    labels = plan._core.map.labels  # with what was found on the way
     picture = np.where((labels != 0)[..., np.newaxis], BLOCKED, FREE)
     picture[np.isin(labels, [breach.obstacle for breach in plan.removed])] = REMOVED
     ax.imshow(picture, interpolation="nearest")

@@ -5,6 +5,7 @@
 #include "capi/handles.hpp"
 #include "core/range.hpp"
 #include "io/labels_digest.hpp"
+#include "io/map_with_edits.hpp"
 #include "io/sha256.hpp"
 #include "map/map_size.hpp"
 #include "waybreaker/movingai.hpp"
@@ -61,16 +62,15 @@ MapHandle from_grid(const char* name, const std::uint8_t* blocked, int width, in
     return handle(Map(std::move(grid), connectivity), connectivity, name, std::move(digest), cell_size);
 }
 
+ObstacleAttributes attributes_of(const waybreaker_attributes& a) {
+    return {.destructible = a.destructible, .source_id = a.source_id, .weight = a.weight, .breach_time = a.breach_time};
+}
+
 std::vector<ObstacleAttributes> attributes_of(const waybreaker_attributes* attributes, std::size_t count) {
     std::vector<ObstacleAttributes> result;
     if (count == 0) return result;
     std::transform(&required(attributes, "the array of attributes"), attributes + count, std::back_inserter(result),
-                   [](const waybreaker_attributes& a) {
-                       return ObstacleAttributes{.destructible = a.destructible,
-                                                 .source_id = a.source_id,
-                                                 .weight = a.weight,
-                                                 .breach_time = a.breach_time};
-                   });
+                   [](const waybreaker_attributes& a) { return attributes_of(a); });
     return result;
 }
 
@@ -83,6 +83,37 @@ MapHandle from_labels(const char* name, const std::uint32_t* labels, int width, 
                                attributes_of(attributes, attribute_count));
     std::string digest = io::labels_digest(map);
     return handle(std::move(map), Connectivity::four, name, std::move(digest), cell_size);
+}
+
+std::vector<Cell> cells_of(const waybreaker_edit& edit) {
+    std::vector<Cell> cells;
+    if (edit.cell_count == 0) return cells;
+    std::transform(&required(edit.cells, "the array of an edit's cells"), edit.cells + edit.cell_count,
+                   std::back_inserter(cells), [](const waybreaker_cell& c) {
+                       return Cell{c.x, c.y};
+                   });
+    return cells;
+}
+
+MapEdit edit_of(const waybreaker_edit& edit) {
+    switch (edit.kind) {
+        case WAYBREAKER_EDIT_REMOVE:
+            return MapEdit::remove({edit.obstacle});
+        case WAYBREAKER_EDIT_ADD:
+            return MapEdit::add(cells_of(edit), attributes_of(edit.attributes));
+        case WAYBREAKER_EDIT_EXTEND:
+            return MapEdit::extend({edit.obstacle}, cells_of(edit));
+        case WAYBREAKER_EDIT_FREE:
+            return MapEdit::free(cells_of(edit));
+    }
+    throw InputError("there is no kind of edit " + std::to_string(edit.kind));
+}
+
+MapHandle with(const waybreaker_map& map, const waybreaker_edit* edits, std::size_t count) {
+    std::vector<MapEdit> all;
+    if (count > 0)
+        std::transform(&required(edits, "the array of edits"), edits + count, std::back_inserter(all), edit_of);
+    return std::make_unique<waybreaker_map>(waybreaker_map{io::with_edits(map.file, all), map.connectivity});
 }
 
 }  // namespace
@@ -111,6 +142,12 @@ waybreaker_status waybreaker_map_from_labels(const char* name, const uint32_t* l
     return give(map, error, [&] {
         return waybreaker::capi::from_labels(name, labels, width, height, attributes, attribute_count, cell_size);
     });
+}
+
+waybreaker_status waybreaker_map_with(const waybreaker_map* map, const waybreaker_edit* edits, size_t edit_count,
+                                      waybreaker_map** edited, waybreaker_text** error) {
+    return give(edited, error,
+                [&] { return waybreaker::capi::with(waybreaker::capi::required(map, "the map"), edits, edit_count); });
 }
 
 void waybreaker_map_free(waybreaker_map* map) {

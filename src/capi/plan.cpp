@@ -8,7 +8,10 @@
 #include "io/mission_json.hpp"
 #include "io/plan_file.hpp"
 #include "io/plan_json.hpp"
+#include "io/sha256.hpp"
+#include "io/state_json.hpp"
 #include "render/plan_picture.hpp"
+#include "revision/revised_file.hpp"
 
 namespace waybreaker::capi {
 namespace {
@@ -68,6 +71,18 @@ MissionOnMap mission_on(const io::MapFile& file, std::string_view document, cons
     return mission;
 }
 
+// What `work` makes of the planner that is kept from call to call.
+template <class Work>
+auto with_kept(waybreaker_planner& planner, Work work) {
+    if (!planner.kept) planner.kept.emplace();
+    try {
+        return work(*planner.kept);
+    } catch (...) {
+        planner.kept.reset();  // it may have got half way
+        throw;
+    }
+}
+
 // The document of the plans that `make` makes of the mission: one, or a front.
 template <class Make>
 Text document_of(waybreaker_planner& planner, const waybreaker_map& map, std::string_view mission_document,
@@ -75,16 +90,12 @@ Text document_of(waybreaker_planner& planner, const waybreaker_map& map, std::st
     const Running running(planner);
     const MissionOnMap mission = mission_on(map.file, mission_document, running.token());
     const io::MapFile& file = mission.reweighed ? *mission.reweighed : map.file;
-    if (!planner.kept) planner.kept.emplace();
-    try {
-        return text_of(make(*planner.kept, io::PlanContext{.map = file,
-                                                           .asked = mission.asked,
-                                                           .connectivity = map.connectivity,
-                                                           .timing_fields = timing_fields}));
-    } catch (...) {
-        planner.kept.reset();  // it may have got half way
-        throw;
-    }
+    return text_of(with_kept(planner, [&](Planner& kept) {
+        return make(
+            kept,
+            io::PlanContext{
+                .map = file, .asked = mission.asked, .connectivity = map.connectivity, .timing_fields = timing_fields});
+    }));
 }
 
 std::string plan_document(Planner& planner, const io::PlanContext& context) {
@@ -103,25 +114,55 @@ std::string front_document(Planner& planner, const io::PlanContext& context) {
                                         .front = front});
 }
 
-io::PlanFile plan_on(const waybreaker_map& map, std::string_view document) {
-    io::PlanFile plan = io::parse_plan(document, "the plan");
-    if (plan.connectivity == map.connectivity) return plan;
-    const char* const neighbours = plan.connectivity == Connectivity::eight ? "8" : "4";
-    throw InputError(std::string("the plan is for a map of connectivity ") + neighbours + ": make the map with it");
+io::PlanFile plan_on(const waybreaker_map& map, std::string_view document, const char* name = "the plan") {
+    io::PlanFile plan = io::parse_plan(document, name);
+    io::require_connectivity(plan, map.connectivity, name);
+    return plan;
+}
+
+// What revises a plan, beside the planner.
+struct Revising {
+    std::string_view plan;
+    std::string_view state;
+    double reaction = 0;
+    Limits limits = {};
+    bool timing_fields = false;
+};
+
+std::string revised_document(Planner& planner, const waybreaker_map& map, const Revising& asked) {
+    const io::PlanFile before = plan_on(map, asked.plan);
+    const State state = io::parse_state(asked.state, "the state");
+    const revision::Task task{.before = before,
+                              .before_name = "the plan",
+                              .digest = io::sha256_digest(asked.plan),
+                              .map = map.file,
+                              .state = state,
+                              .state_name = "the state",
+                              .reaction = asked.reaction};
+    return revision::revise(planner, task, asked.limits).json(asked.timing_fields);
+}
+
+// Gives the report of a judgement, and what it comes to.
+Text report_of(const std::vector<Violation>& violations, bool* valid) {
+    Text text = text_of(io::check_json(violations));
+    if (valid != nullptr) *valid = violations.empty();
+    return text;
 }
 
 std::string picture(const waybreaker_map& map, std::string_view document) {
     const io::PlanFile plan = plan_on(map, document);
-    const std::vector<Violation> violations = io::judge(plan, map.file);
+    const io::MapFile known = io::known_map(map.file, plan.plan);
+    const std::vector<Violation> violations = io::judge(plan, known);
     if (!violations.empty()) throw InputError("the plan is not valid: " + violations.front().message);
     if (plan.plan.agents.empty()) throw InputError("the plan has no agents to draw");
-    return render::plan_svg(map.file, plan);
+    return render::plan_svg(known, plan);
 }
 
 }  // namespace
 }  // namespace waybreaker::capi
 
 namespace capi = waybreaker::capi;
+namespace io = waybreaker::io;
 
 waybreaker_planner* waybreaker_planner_new(void) {
     return new (std::nothrow) waybreaker_planner;
@@ -157,16 +198,45 @@ waybreaker_status waybreaker_front(waybreaker_planner* planner, const waybreaker
     });
 }
 
+waybreaker_status waybreaker_revise(waybreaker_planner* planner, const waybreaker_map* map, const char* plan,
+                                    size_t plan_size, const char* state, size_t state_size, double reaction,
+                                    double seconds, bool timing_fields, waybreaker_text** revised,
+                                    waybreaker_text** error) {
+    return capi::give(revised, error, [&] {
+        waybreaker_planner& on = capi::required(planner, "the planner");
+        const waybreaker_map& from = capi::required(map, "the map");
+        const capi::Running running(on);
+        const capi::Revising asked{.plan = capi::bytes_of(plan, plan_size, "the plan"),
+                                   .state = capi::bytes_of(state, state_size, "the state"),
+                                   .reaction = reaction,
+                                   .limits = {.seconds = seconds, .stop = running.token()},
+                                   .timing_fields = timing_fields};
+        return capi::text_of(
+            capi::with_kept(on, [&](waybreaker::Planner& kept) { return capi::revised_document(kept, from, asked); }));
+    });
+}
+
 waybreaker_status waybreaker_check(const waybreaker_map* map, const char* plan, size_t plan_size, bool* valid,
                                    waybreaker_text** report, waybreaker_text** error) {
     if (valid != nullptr) *valid = false;
     return capi::give(report, error, [&] {
         const waybreaker_map& on = capi::required(map, "the map");
-        const std::vector<waybreaker::Violation> violations =
-            waybreaker::io::judge(capi::plan_on(on, capi::bytes_of(plan, plan_size, "the plan")), on.file);
-        capi::Text text = capi::text_of(waybreaker::io::check_json(violations));
-        if (valid != nullptr) *valid = violations.empty();
-        return text;
+        const io::PlanFile judged = capi::plan_on(on, capi::bytes_of(plan, plan_size, "the plan"));
+        return capi::report_of(io::judge(judged, io::known_map(on.file, judged.plan)), valid);
+    });
+}
+
+waybreaker_status waybreaker_check_after(const waybreaker_map* map, const char* plan, size_t plan_size,
+                                         const char* before, size_t before_size, const char* state, size_t state_size,
+                                         bool* valid, waybreaker_text** report, waybreaker_text** error) {
+    if (valid != nullptr) *valid = false;
+    return capi::give(report, error, [&] {
+        const waybreaker_map& on = capi::required(map, "the map");
+        const io::PlanFile judged = capi::plan_on(on, capi::bytes_of(plan, plan_size, "the plan"));
+        const io::PlanFile earlier =
+            capi::plan_on(on, capi::bytes_of(before, before_size, "the plan before"), "the plan before");
+        const waybreaker::State reported = io::parse_state(capi::bytes_of(state, state_size, "the state"), "the state");
+        return capi::report_of(io::judge_after(judged, io::known_map(on.file, judged.plan), earlier, reported), valid);
     });
 }
 

@@ -131,6 +131,21 @@ void judge_saves(const Plan& plan, std::optional<double> reached, const Terms& t
     }
 }
 
+// A failed breach makes of the mission another one under the same rules, unless something must go.
+void judge_if_failed(const Plan& plan, const Terms& terms, Violations& found) {
+    for (const Breach& breach : plan.breaches) {
+        if (!breach.if_failed) continue;
+        const auto& [reached, removed] = *breach.if_failed;
+        const auto report = [&](const std::string& what) {
+            found.push_back({Rule::if_failed, "if " + text(breach.obstacle) + " fails, " + what, "", breach.obstacle});
+        };
+        if (plan.bound && terms.rules.force.empty() && reached < *plan.bound - slack(terms, *plan.bound))
+            report("the objective, " + text(reached) + ", is below the bound, " + text(*plan.bound));
+        if (removed.size() > std::size_t(std::max(terms.rules.removals, 0)))
+            report("more is removed than may be: " + std::to_string(removed.size()));
+    }
+}
+
 }  // namespace
 
 void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
@@ -142,6 +157,7 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     }
     judge_least_demolition(plan, found);
     judge_saves(plan, reached, terms, found);
+    judge_if_failed(plan, terms, found);
     // To remove nothing is one of the plans that the bound speaks of, unless something must go.
     if (terms.rules.force.empty()) {
         judge_bound_below(plan, objective(plan.before), "what is reached without removals", terms, found);

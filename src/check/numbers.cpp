@@ -61,6 +61,9 @@ class NumbersJudge {
         if (breach.saves != std::numeric_limits<double>::infinity()) {
             require_of(Rule::saves, "what it saves to remove", breach.saves);
         }
+        if (breach.if_failed && breach.if_failed->objective != std::numeric_limits<double>::infinity()) {
+            require_of(Rule::if_failed, "what the mission comes to without", breach.if_failed->objective);
+        }
     }
 
     void judge_agent(const Itinerary& agent) {

@@ -133,6 +133,12 @@ void require_map_of(const PlanFile& plan, const MapFile& map, const std::string&
                                     : "the plan was made for another map file: the digests differ");
 }
 
+void require_connectivity(const PlanFile& plan, Connectivity connectivity, const std::string& name) {
+    if (plan.connectivity == connectivity) return;
+    throw InputError(name + " is for a map of connectivity " + std::string(to_string(plan.connectivity)) +
+                     ": make the map with it");
+}
+
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;
@@ -146,6 +152,14 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     if (!plan.states_orders) std::erase_if(violations, [](const Violation& v) { return v.rule == Rule::orders; });
     // Of paths that lead through walls, or nowhere, nobody asks over what.
     if (violations.empty()) append(violations, judge_surfaces(plan, map, options));
+    return violations;
+}
+
+Violations judge_after(const PlanFile& plan, const MapFile& map, const PlanFile& before, const State& state,
+                       const JudgeOptions& options) {
+    Violations violations = judge(plan, map, options);
+    append(violations, check_continuity(before.asked.mission, before.plan, state, plan.asked.mission, plan.plan,
+                                        options.tolerance));
     return violations;
 }
 

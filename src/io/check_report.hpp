@@ -26,8 +26,16 @@ std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const Ju
 // Throws InputError, with the name of the plan's file, unless it was made for that map.
 void require_map_of(const PlanFile& plan, const MapFile& map, const std::string& name);
 
-// What is wrong with the plan, that it was made for another map included.
+// The same unless obstacles of the map are made of cells as the plan says.
+void require_connectivity(const PlanFile& plan, Connectivity connectivity, const std::string& name);
+
+// What is wrong with the plan, that it was made for another map included. `map`: as it is known to the plan
+// (known_map).
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
+
+// The same of a plan that revises another, from a state: also whether it goes on from there (check_continuity).
+std::vector<Violation> judge_after(const PlanFile& plan, const MapFile& map, const PlanFile& before, const State& state,
+                                   const JudgeOptions& options = {});
 
 // The document "waybreaker-check/1", as `waybreaker check --json` writes it.
 std::string check_json(const std::vector<Violation>& violations);

@@ -37,6 +37,7 @@ inline const Words<AtGoal> at_goal_words = all_words<AtGoal>();
 inline const Words<PlanStatus> status_words = all_words<PlanStatus>();
 inline const Words<WaitReason> wait_words = all_words<WaitReason>();
 inline const Words<OrderReason> order_words = all_words<OrderReason>();
+inline const Words<RevisionStatus> revision_words = all_words<RevisionStatus>();
 inline const Words<Nav2> nav2_words{{"jazzy", Nav2::jazzy}, {"humble", Nav2::humble}};
 // The members of plan files that hold what these speak of.
 inline const Words<Objective> objective_keys{{"makespan", Objective::makespan},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <limits>
 
 #include "io/json_field.hpp"
 #include "io/mission_json.hpp"
@@ -13,8 +14,6 @@
 
 namespace waybreaker::io {
 namespace {
-
-constexpr int max_depth = 8;
 
 std::optional<double> number_or_null(const std::optional<JsonField>& field) {
     return field ? std::optional(field->number()) : std::nullopt;
@@ -85,6 +84,13 @@ Outcome outcome(const JsonField& field, const Mission& mission) {
     return result;
 }
 
+IfFailed if_failed(const JsonField& field) {
+    constexpr double no_plan = std::numeric_limits<double>::infinity();
+    IfFailed result{field["objective"].number_or_null().value_or(no_plan)};
+    for (const JsonField& id : field["removed"].items()) result.removed.push_back(read_obstacle(id));
+    return result;
+}
+
 Breach breach(const JsonField& field) {
     Breach result;
     result.obstacle = read_obstacle(field["obstacle"], 0);
@@ -95,6 +101,7 @@ Breach breach(const JsonField& field) {
     if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
     if (const auto hits = field.find("hits")) result.hits = std::uint32_t(hits->whole_number(0, UINT32_MAX));
     result.saves = number_or_null(field.find("saves"));
+    if (const auto plan_b = field.find("if_failed")) result.if_failed = if_failed(*plan_b);
     if (const auto agent = field.find("by")) result.by = read_agent_id(*agent);
     result.begun_at = number_or_null(field.find("begun_at"));
     return result;
@@ -207,6 +214,14 @@ Revised revised(const JsonField& field) {
     result.number = int(field["number"].whole_number(1, INT_MAX));
     result.sequence = std::uint64_t(field["sequence"].whole_number(1, INT64_MAX));
     result.now = read_not_negative(field["now"]);
+    if (const auto status = field.find("status")) result.status = status->one_of(revision_words);
+    if (const auto reason = field.find("reason")) result.reason = reason->text();
+    if (const auto halts = field.find("halts")) {
+        for (const JsonField& item : halts->items()) {
+            result.halts.push_back({read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)),
+                                    read_not_negative(item["by"])});
+        }
+    }
     for (const JsonField& item : field["decided"].items()) {
         result.decisions.push_back(
             {read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)), item["time"].number()});
@@ -223,9 +238,7 @@ double cell_size(const JsonField& field) {
 
 }  // namespace
 
-PlanFile parse_plan(std::string_view bytes, const std::string& name) {
-    const auto document = parse_json(bytes, name, max_depth);
-    const JsonField root(document);
+PlanFile read_plan(const JsonField& root) {
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);
@@ -292,6 +305,11 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
     return file;
+}
+
+PlanFile parse_plan(std::string_view bytes, const std::string& name) {
+    const auto document = parse_json(bytes, name, max_plan_depth);
+    return read_plan(JsonField(document));
 }
 
 MapFile known_map(MapFile file, const Plan& plan) {

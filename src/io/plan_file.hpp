@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/json_field.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
 #include "waybreaker/plan.hpp"
@@ -57,9 +58,11 @@ MapFile known_map(MapFile file, const Plan& plan);
 
 // Larger files are refused; a path of half a million points fits.
 inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;
+inline constexpr int max_plan_depth = 8;
 
 // Throws InputError: the file's name, where in it, what is wrong. `name` is how the input is called in errors.
 PlanFile parse_plan(std::string_view bytes, const std::string& name);
+PlanFile read_plan(const JsonField& root);
 PlanFile read_plan_file(const std::string& path);
 
 }  // namespace waybreaker::io

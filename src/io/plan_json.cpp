@@ -142,6 +142,11 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     json["cleared_at"] = number(breach.cleared_at);
     json["entered_at"] = number(breach.entered_at);
     if (breach.saves) json["saves"] = number(breach.saves);
+    if (breach.if_failed) {
+        Json& if_failed = json["if_failed"] = {{"objective", number(breach.if_failed->objective)}};
+        if_failed["removed"] = Json::array();
+        for (const ObstacleId id : breach.if_failed->removed) if_failed["removed"].push_back(id.value);
+    }
     return json;
 }
 
@@ -221,13 +226,19 @@ Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
 }
 
 Json revision_json(const Revised& revised, const PlanContext& context) {
-    Json json{{"number", revised.number}, {"sequence", revised.sequence}, {"now", number(revised.now)}};
+    Json json{{"number", revised.number},
+              {"sequence", revised.sequence},
+              {"now", number(revised.now)},
+              {"status", to_string(revised.status)}};
     if (!context.supersedes.empty()) json["supersedes"] = context.supersedes;
     json["decided"] = Json::array();
     for (const Decision& decision : revised.decisions) {
         json["decided"].push_back(
             {{"agent", decision.agent}, {"point", decision.point}, {"time", number(decision.time)}});
     }
+    if (!revised.reason.empty()) json["reason"] = revised.reason;
+    for (const Halt& halt : revised.halts)
+        json["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", number(halt.by)}});
     if (!revised.found.empty()) json["found"] = found_json(revised.found);
     return json;
 }

@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "io/map_frame.hpp"
+#include "io/path_parts.hpp"
 #include "io/shortest_text.hpp"
 #include "waybreaker/error.hpp"
 
@@ -63,10 +65,10 @@ void turn(std::vector<Pose>& poses) {
 
 // The corners of the path. Points at one place and time, such as a start at which a breach takes no time, are one
 // pose: two would look like a wait.
-std::vector<Pose> corners_of(const Itinerary& agent, const MapFrame& frame) {
+std::vector<Pose> corners_of(std::span<const Waypoint> path, const MapFrame& frame) {
     constexpr double nanosecond = 1e-9;
     std::vector<Pose> corners;
-    for (const Waypoint& point : agent.path) {
+    for (const Waypoint& point : path) {
         const Pose pose{frame.metres({point.x, point.y}), point.t};
         const bool known = !corners.empty() && corners.back().at == pose.at && pose.t - corners.back().t < nanosecond;
         if (!known) corners.push_back(pose);
@@ -80,11 +82,14 @@ double pieces_between(const Pose& a, const Pose& b, double step) {
     return std::max(1.0, std::ceil(std::hypot(b.at.x - a.at.x, b.at.y - a.at.y) / step - slack));
 }
 
-std::string path_text(const Itinerary& agent, const std::vector<Pose>& corners, double step) {
-    const bool plain = agent.id == "ground" || agent.id == "air";
-    std::string text =
-        plain ? agent.id : nlohmann::json(agent.id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-    text += ":\n  " + header(0) + "\n  poses:\n";
+std::string name_text(const std::string& id) {
+    const bool plain = id == "ground" || id == "air";
+    return plain ? id : nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+// The members of a nav_msgs/Path, two spaces deep.
+std::string path_text(double stamp, const std::vector<Pose>& corners, double step) {
+    std::string text = fmt::format("  {}\n  poses:\n", header(stamp));
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Pose& a = corners[i];
         text += "  - " + pose_text(a) + "\n";
@@ -116,11 +121,9 @@ void require_bounded(const std::vector<Pose>& corners, double step) {
     }
 }
 
-}  // namespace
-
-std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<double> step) {
-    const MapFrame frame(map);
-    const double metres = step.value_or(map.cell_size);
+// The texts of all agents, vehicles first; `text_of` makes one of its corners.
+template <class TextOf>
+std::string document(const Plan& plan, const TextOf& text_of) {
     std::string text;
     std::set<std::string> ids;
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
@@ -128,12 +131,46 @@ std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<do
             if (agent.kind != kind) continue;
             if (!ids.insert(agent.id).second)
                 throw InputError("two agents have the same id, by which ROS paths are named");
-            const std::vector<Pose> corners = corners_of(agent, frame);
-            require_bounded(corners, metres);
-            text += path_text(agent, corners, metres);
+            text += name_text(agent.id);
+            text += text_of(agent);
         }
     }
     return text.empty() ? "{}\n" : text;
+}
+
+std::string openings_text(const std::vector<ObstacleId>& openings) {
+    std::vector<std::uint32_t> ids;
+    for (const ObstacleId obstacle : openings) ids.push_back(obstacle.value);
+    return fmt::format("- openings: [{}]\n", fmt::join(ids, ", "));
+}
+
+}  // namespace
+
+std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<double> step) {
+    const MapFrame frame(map);
+    const double metres = step.value_or(map.cell_size);
+    return document(plan, [&](const Itinerary& agent) {
+        const std::vector<Pose> corners = corners_of(agent.path, frame);
+        require_bounded(corners, metres);
+        return fmt::format(":\n{}", path_text(0, corners, metres));
+    });
+}
+
+std::string plan_ros_parts(const Plan& plan, const MapFile& map, const Mission& mission, std::optional<double> step) {
+    const MapFrame frame(map);
+    const double metres = step.value_or(map.cell_size);
+    return document(plan, [&](const Itinerary& agent) {
+        const auto place = std::size_t(&agent - plan.agents.data());
+        const std::vector<PathPart> parts = path_parts(map.map, mission, plan, place);
+        require_bounded(corners_of(agent.path, frame), metres);
+        std::string text = parts.empty() ? ": []\n" : ":\n";
+        for (const PathPart& part : parts) {
+            const std::vector<Pose> corners =
+                corners_of(std::span(agent.path).subspan(part.first, part.last - part.first + 1), frame);
+            text += openings_text(part.openings) + path_text(corners.front().t, corners, metres);
+        }
+        return text;
+    });
 }
 
 }  // namespace waybreaker::io

@@ -23,4 +23,17 @@ namespace waybreaker::io {
 // too many, or the plan takes longer than ROS can count.
 std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<double> step = {});
 
+// The same cut in parts (path_parts.hpp), for controllers that ignore stamps: of each agent a list of paths, and with
+// each the obstacles that must be open before it is driven.
+//
+//     ground:
+//     - openings: [2]
+//       header: {stamp: {sec: 27, nanosec: 100000000}, frame_id: map}
+//       poses:
+//       - ...
+//
+// The stamp of a part is when the agent sets out on it.
+std::string plan_ros_parts(const Plan& plan, const MapFile& map, const Mission& mission,
+                           std::optional<double> step = {});
+
 }  // namespace waybreaker::io

@@ -79,9 +79,7 @@ Json found_json(std::span<const Found> found) {
     return list;
 }
 
-State parse_state(std::string_view bytes, const std::string& name) {
-    const auto parsed = parse_json(bytes, name, max_mission_depth);
-    const JsonField document(parsed);
+State read_state(const JsonField& document) {
     if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
     document.allow({"format", "sequence", "now", "agents", "opened", "failed", "found", "joined"});
     State state;
@@ -97,6 +95,11 @@ State parse_state(std::string_view bytes, const std::string& name) {
         for (const JsonField& agent : joined->items()) state.joined.push_back(read_agent_of_mission(agent));
     }
     return state;
+}
+
+State parse_state(std::string_view bytes, const std::string& name) {
+    const auto parsed = parse_json(bytes, name, max_mission_depth);
+    return read_state(JsonField(parsed));
 }
 
 State read_state_file(const std::string& path) {

@@ -19,6 +19,7 @@ namespace waybreaker::io {
 // Throw InputError: the file's name, where in it, what is wrong. Whether it can be of a plan is not asked. `name` is
 // how the input is called in errors.
 State parse_state(std::string_view bytes, const std::string& name);
+State read_state(const JsonField& document);
 State read_state_file(const std::string& path);
 
 // Reads back as what was written.

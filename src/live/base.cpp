@@ -93,7 +93,8 @@ std::optional<double> Ground::first_hit(const std::vector<Waypoint>& path, const
     return first;
 }
 
-std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided) {
+std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided,
+                           std::size_t most) {
     std::vector<Base> bases;
     const auto add = [&](Base base) {
         if (!ground.first_hit(base, agent.body)) bases.push_back(std::move(base));
@@ -106,6 +107,7 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
     }
     if (std::optional<Base> base = to_next_bend(position, ready, stays)) add(std::move(*base));
     if (position.stands && ready > decided) return bases;  // it may not leave yet
+    if (bases.size() >= most) return bases;
     std::vector<ObstacleId> open;
     for (const TimedOpening& opening : ground.openings) {
         if (opening.at <= decided) open.push_back(opening.obstacle);
@@ -123,6 +125,7 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
             const double driven = distance(Point(way.back().x, way.back().y), Point(cell));
             if (driven > 0) base.push_back({double(cell.x), double(cell.y), time + driven / agent.speed});
             add(std::move(base));
+            if (bases.size() >= most) return bases;
         }
     }
     return bases;
@@ -131,6 +134,7 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
 std::vector<Base> without_meetings(const Map& map, double separation, bool stay, std::span<const Agent> agents,
                                    const std::vector<std::vector<Base>>& choices) {
     if (std::ranges::any_of(choices, [](const auto& bases) { return bases.empty(); })) return {};
+    if (choices.size() == 1) return {choices.front().front()};
     std::vector<std::size_t> chosen(agents.size(), 0);
     const auto base = [&](std::size_t i) -> const Base& { return choices[i][chosen[i]]; };
     Traffic traffic(map.width(), map.height(), separation);

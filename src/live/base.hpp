@@ -1,6 +1,7 @@
 // Base: what an agent is bound to do before a new plan can tell it anything else.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,8 +26,9 @@ struct Ground {
 
 // Where a ground agent may decide, the best first: the next bend at a cell centre after `decided`, or the first place
 // before it where it stands, no earlier than it is ready; then cells near where it is at `decided` and a little later.
-// Only ways that are clear.
-std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided);
+// Only ways that are clear; the first `most` of them.
+std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided,
+                           std::size_t most);
 
 // One for each agent, so that nobody meets anybody: of those given, the first that do. `stay`: whether they stand at
 // their ends until all have got there. Empty where there are none.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/range.hpp"
+#include "core/stopwatch.hpp"
 #include "live/base.hpp"
 #include "live/left.hpp"
 #include "live/remainder.hpp"
@@ -23,9 +24,19 @@ using live::Outlook;
 using live::Position;
 using live::Report;
 
+// What planning gets even where the time is over.
+constexpr double least_seconds = 1e-3;
+
 // Whether an agent takes no further part.
 bool is_out(const Position& position) {
     return position.doing == Doing::lost || position.doing == Doing::stopped;
+}
+
+bool drives_alone(const Report& report, std::span<const Position> positions) {
+    int vehicles = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        vehicles += report.mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]) ? 1 : 0;
+    return vehicles == 1;
 }
 
 // It begins on its base, and is free at its end.
@@ -77,6 +88,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
     std::vector<Agent> agents;
     std::vector<std::size_t> vehicles;
     std::vector<std::vector<Base>> choices;
+    // Nobody gets in the way of one alone.
+    const auto most = drives_alone(report, positions) ? 1 : std::numeric_limits<std::size_t>::max();
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (is_out(positions[i])) continue;
         Agent agent = left.agents[i];
@@ -86,7 +99,7 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         if (agent.kind == AgentKind::ground) {
             vehicles.push_back(agents.size());
             // One that has arrived may have to make way, from now on.
-            choices.push_back(bases_of(ground, agent, positions[i], report.decided));
+            choices.push_back(bases_of(ground, agent, positions[i], report.decided, most));
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
@@ -209,6 +222,8 @@ Revised after(const Plan& plan, const State& state, std::span<const Found> found
     revised.sequence = state.sequence;
     revised.now = state.now;
     revised.decisions.clear();
+    revised.halts.clear();
+    revised.reason.clear();
     revised.found.insert(revised.found.end(), found.begin(), found.end());
     return revised;
 }
@@ -219,6 +234,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
                 double reaction, const Method& method, const Limits& limits) {
     if (state.sequence <= (plan.revised ? plan.revised->sequence : 0))
         return {RevisionStatus::unchanged, map, mission, plan};
+    const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
     const Report report{map, mission, plan, state, state.now + reaction};
@@ -235,24 +251,27 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     next.plan = no_plan_of(left);
     Revised revised = after(plan, state, found);
     if (!any_drives(report, positions)) {
-        next.reason = "no vehicle is left to drive";
+        revised.reason = "no vehicle is left to drive";
     } else {
         next.status = RevisionStatus::broken;
         const auto plan_left = [&](const Mission& placed) {
-            return plan_of(planner, next.map, placed, state, method, limits, next.reason);
+            Limits left_over = limits;
+            left_over.seconds = std::max(deadline.left(), least_seconds);
+            return plan_of(planner, next.map, placed, state, method, left_over, revised.reason);
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
             if (!place_agents(report, positions, outlooks, next.map, placing, placed)) continue;
+            if (next.status == RevisionStatus::no_plan && same_bases(placed, next.mission)) break;  // known already
             next.mission = std::move(placed);
             next.plan = plan_left(next.mission);
             next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
             keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
-        if (next.status != RevisionStatus::no_plan) next.reason.clear();
+        if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            next.halts = halts_of({next.map, left.rules.opened}, report, positions);
+            revised.halts = halts_of({next.map, left.rules.opened}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;
@@ -260,6 +279,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             }
         }
     }
+    revised.status = next.status;
     next.plan.revised = std::move(revised);
     return next;
 }

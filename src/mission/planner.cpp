@@ -9,13 +9,16 @@
 #include <optional>
 #include <utility>
 
+#include "core/range.hpp"
 #include "core/stopwatch.hpp"
 #include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
+#include "mission/alternatives.hpp"
+#include "mission/candidate_plan.hpp"
+#include "mission/entries.hpp"
 #include "mission/explain.hpp"
 #include "mission/instead.hpp"
 #include "mission/late_openings.hpp"
-#include "mission/plan_status.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
@@ -39,70 +42,6 @@ constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
     return count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
-}
-
-// Calls visit(agent, aircraft) for each agent; which of the task's aircraft it is, if it is one.
-void for_each_agent(const Mission& mission, const auto& visit) {
-    std::size_t aircraft = 0;
-    for (const Agent& agent : mission.agents) {
-        visit(agent, aircraft);
-        if (agent.kind == AgentKind::air) ++aircraft;
-    }
-}
-
-Route flight(const Agent& agent, std::size_t aircraft, std::span<const TimedBreach> breaches) {
-    Route route{AgentKind::air};
-    route.path.emplace_back(agent.begin());
-    for (const TimedBreach& breach : breaches) {
-        if (breach.aircraft == aircraft) route.path.emplace_back(breach.at);
-    }
-    route.path.emplace_back(agent.goal);
-    route.length = path_length(route.path);
-    return route;
-}
-
-Outcome outcome(const Mission& mission, const Candidate& candidate) {
-    Outcome result;
-    result.routes.clear();
-    for_each_agent(mission, [&](const Agent& agent, std::size_t aircraft) {
-        result.routes.push_back(agent.kind == AgentKind::ground ? candidate.opening.ground
-                                                                : flight(agent, aircraft, candidate.schedule.breaches));
-    });
-    if (candidate.opening.ground.length) {
-        const Finish finish = finish_of(candidate.schedule.arrival(), candidate.schedule.home);
-        result.makespan = finish.makespan();
-        result.flowtime = finish.flowtime;
-        result.ground_makespan = finish.ground;
-    }
-    return result;
-}
-
-std::vector<Itinerary> itineraries(const Mission& mission, const JointSchedule& schedule) {
-    std::vector<Itinerary> agents;
-    for_each_agent(mission, [&](const Agent& agent, std::size_t aircraft) {
-        const std::vector<Waypoint>& path = agent.kind == AgentKind::ground ? schedule.ground : schedule.air[aircraft];
-        agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
-    });
-    return agents;
-}
-
-std::vector<Breach> breaches(const Task& task, const JointSchedule& schedule, std::span<const std::uint32_t> hits) {
-    std::vector<Breach> breaches;
-    for (const TimedBreach& made : schedule.breaches) {
-        const Obstacle& obstacle = task.map.obstacle(made.obstacle);
-        Breach& breach = breaches.emplace_back();
-        breach.obstacle = obstacle.id;
-        breach.source_id = obstacle.source_id;
-        breach.cells = obstacle.cells;
-        breach.hits = hits.empty() ? 0 : hits[obstacle.id.value];
-        breach.at = made.at;
-        breach.cleared_at = made.cleared_at;
-        breach.entered_at = made.entered_at;
-        if (task.aircraft.size() == 1) continue;  // nobody has to be told who
-        breach.by = task.aircraft[made.aircraft]->id;
-        breach.begun_at = made.begun_at;
-    }
-    return breaches;
 }
 
 // What is best, or demolishes the least of what is about as good.
@@ -164,16 +103,7 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
-    for (Breach& breach : plan.breaches) {
-        breach.entered_at.reset();
-        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-            if (plan.agents[i].kind == AgentKind::air) continue;
-            const auto entered = first_touch(map, breach.obstacle, plan.agents[i].path, mission.agents[i].body.reach());
-            if (entered && (!breach.entered_at || *entered < *breach.entered_at)) breach.entered_at = entered;
-        }
-        if (breach.entered_at && mission.rules.timing == Timing::enforce)
-            breach.entered_at = std::max(*breach.entered_at, breach.cleared_at);
-    }
+    add_entries(map, mission, plan);
 }
 
 Plan finished(const Map& map, const Mission& mission, Plan plan) {
@@ -198,20 +128,37 @@ Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
 
 Plan Planner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    return std::move(plans(map, mission, method, limits, std::nullopt).front());
+}
+
+std::vector<Plan> Planner::alternatives(const Map& map, const Mission& mission, double share, const Method& method,
+                                        const Limits& limits) {
+    require_range(share, 0, 1, "the share by which alternatives may be worse");
+    return plans(map, mission, method, limits, share);
+}
+
+std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                                 std::optional<double> share) {
     validate(map, mission, method, limits);
     const OpenedByThemselves opened(map, mission);
     const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    Plan plan = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
+    std::vector<Plan> evaluated;
+    Plan best = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
         Limits left = limits;
         left.seconds = seconds;
         if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
-        return plan_active(opened.map(), asked, method, left);
+        return plan_active(opened.map(), asked, method, left, share ? &evaluated : nullptr);
     });
-    return finished(map, mission, active.whole(map, order.restored(std::move(plan))));
+    std::vector<Plan> plans;
+    plans.push_back(std::move(best));
+    if (share) append_alternatives(evaluated, *share, mission.rules.objective, plans);
+    for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));
+    return plans;
 }
 
-Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                          std::vector<Plan>* evaluated) {
     // What earlier missions have taught would change how much work this one is.
     crossing::Memory nothing;
     crossing::Access::exchange(memory_->crossing, nothing);
@@ -243,13 +190,9 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
     const double selecting_seconds = selecting.seconds();
 
     // Report both, without removal and with the best.
-    Plan plan;
-    plan.status = plan_status(best.opening.status);
-    plan.before = outcome(mission, before);
-    plan.after = outcome(mission, best);
-    plan.breaches = breaches(task, best.schedule, selector->hits());
+    Plan plan = plan_of(task, mission, best, selector->hits());
+    plan.before = outcome_of(mission, before);
     if (plan.status == PlanStatus::solved) {
-        plan.agents = itineraries(mission, best.schedule);
         const double reached = cost(task, best);
         if (selected.bound || method.bound) {
             const double bound = selected.bound
@@ -283,6 +226,10 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
     if (grown && map.grid().cell_count() > most_grown_cells_kept) memory_->crossing = CrossingSearcher();
     plan.seconds.select = selecting_seconds;
     plan.seconds.total = total.seconds();
+    if (evaluated == nullptr) return plan;
+    for (const Candidate& candidate : selected.candidates)
+        evaluated->push_back(plan_of(task, mission, candidate, selector->hits()));
+    evaluated->push_back(plan_of(task, mission, start, selector->hits()));
     return plan;
 }
 

@@ -9,6 +9,7 @@
 
 #include "coalition/coalition.hpp"
 #include "core/stopwatch.hpp"
+#include "mission/entries.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_hits.hpp"
 #include "model/objective.hpp"
@@ -126,20 +127,6 @@ void add_nothing(const Mission& mission, Outcome& outcome) {
     outcome.routes.clear();
     for (const Agent& agent : mission.agents) {
         outcome.routes.push_back(agent.kind == AgentKind::air ? flight(agent) : Route{});
-    }
-}
-
-// When the first vehicle touches what is removed.
-void add_entries(const Map& map, const Mission& mission, Plan& plan) {
-    for (Breach& breach : plan.breaches) {
-        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-            if (plan.agents[i].kind == AgentKind::air) continue;
-            const auto entered = first_touch(map, breach.obstacle, plan.agents[i].path, mission.agents[i].body.reach());
-            if (entered && (!breach.entered_at || *entered < *breach.entered_at)) breach.entered_at = entered;
-        }
-        if (breach.entered_at && mission.rules.timing == Timing::enforce) {
-            breach.entered_at = std::max(*breach.entered_at, breach.cleared_at);
-        }
     }
 }
 

@@ -47,6 +47,15 @@ Span inside_circle(const Move& move, double x, double y, double radius) {
     return {(-b - root) / a, (-b + root) / a};
 }
 
+// How deep the disc is in the cell's square after a share of the move, in cells. That of a move that grazes it from
+// between two vertices is rounding.
+double depth_in(const Move& move, double share, double radius) {
+    const double x = std::abs(move.x + share * move.dx) - 0.5;
+    const double y = std::abs(move.y + share * move.dy) - 0.5;
+    if (x <= 0 && y <= 0) return radius - std::max(x, y);
+    return radius - std::hypot(std::max(x, 0.0), std::max(y, 0.0));
+}
+
 // The share of the move after which the disc meets the cell's square; infinity if it never does. The places where it
 // does are the square grown by the radius: two boxes and a circle around each corner.
 double touch(const Move& move, double radius) {
@@ -57,7 +66,9 @@ double touch(const Move& move, double radius) {
     double first = std::numeric_limits<double>::infinity();
     for (const Span& part : parts) {
         const double enter = std::max(part.enter, 0.0);
-        if (enter + rounding < std::min(part.leave, 1.0)) first = std::min(first, enter);
+        const double leave = std::min(part.leave, 1.0);
+        if (enter + rounding < leave && depth_in(move, (enter + leave) / 2, radius) > rounding)
+            first = std::min(first, enter);
     }
     return first;
 }

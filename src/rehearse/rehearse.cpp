@@ -83,4 +83,14 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
     return rehearsal;
 }
 
+std::size_t most_robust(std::span<const Rehearsal> rehearsals, Objective objective) {
+    const auto mean = [objective](const Rehearsal& rehearsal) {
+        return (objective == Objective::ground_makespan ? rehearsal.ground_makespan : rehearsal.makespan).mean;
+    };
+    const auto is_better = [&](const Rehearsal& a, const Rehearsal& b) {
+        return a.arrived != b.arrived ? a.arrived > b.arrived : mean(a) < mean(b);
+    };
+    return std::size_t(std::ranges::min_element(rehearsals, is_better) - rehearsals.begin());
+}
+
 }  // namespace waybreaker

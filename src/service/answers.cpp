@@ -127,19 +127,23 @@ std::string other_reading(const io::PlanFile& plan, const StoredMap& map) {
     return fmt::format("{}", fmt::join(options, ", "));
 }
 
+void require_same_reading(const io::PlanFile& plan, const StoredMap& map) {
+    const std::string options = other_reading(plan, map);
+    if (options.empty()) return;
+    throw http::Problem(http::unprocessable,
+                        "the plan was made with another reading of the map than the server's: " + options,
+                        "plan-invalid");
+}
+
+void require_map(const io::PlanFile& plan, const StoredMap& map) try {
+    io::require_map_of(plan, map.file, "the plan");
+} catch (const InputError& error) {
+    throw http::Problem(http::unprocessable, error.what(), "plan-invalid");
+}
+
 io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
-    io::PlanFile plan = [&] {
-        try {
-            return io::parse_plan(bytes, "the plan");
-        } catch (const InputError& error) {
-            throw http::Problem(http::bad_request, error.what());
-        }
-    }();
-    if (const std::string options = other_reading(plan, map); !options.empty()) {
-        throw http::Problem(http::unprocessable,
-                            "the plan was made with another reading of the map than the server's: " + options,
-                            "plan-invalid");
-    }
+    io::PlanFile plan = read_request([&] { return io::parse_plan(bytes, "the plan"); });
+    require_same_reading(plan, map);
     return plan;
 }
 
@@ -244,6 +248,22 @@ Document export_answer(const StoredMap& map, const std::string& plan, const std:
     return {media_type_of(format), export_body(map.file, file, plan, format)};
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what());
+}
+
+std::string revise_answer(const SharedMap& map, const request::RevisionRequest& request, PlannerPool& planners,
+                          double seconds, const http::Worker& worker) try {
+    const io::PlanFile& before = request.before;
+    require_same_reading(before, *map);
+    require_map(before, *map);
+    const Limits limits{.seconds = std::min(request.seconds, seconds), .stop = worker.stop};
+    worker.set_time_limit(limits.seconds);
+    const io::MapFile known = request::map_of(request, map->file);
+    PlannerPool::Loan planner = planners.borrow(map);
+    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, request.state,
+                                             request.reaction, before.asked.method, limits);
+    return request::revision_answer(request, known, revision);
+} catch (const InputError& error) {
+    throw http::Problem(http::unprocessable, error.what(), "report-unfit");
 }
 
 bool is_export_format(const std::string& format) {

@@ -7,6 +7,7 @@
 
 #include "http/job_queue.hpp"
 #include "request/plan_request.hpp"
+#include "request/revision.hpp"
 #include "service/map_store.hpp"
 #include "service/planner_pool.hpp"
 #include "waybreaker/limits.hpp"
@@ -50,6 +51,11 @@ std::string compare_answer(const Task& task, const http::Worker& worker);
 // valid for the map.
 std::string check_answer(const StoredMap& map, const std::string& plan);
 Document export_answer(const StoredMap& map, const std::string& plan, const std::string& format);
+
+// Of a plan and what has happened to it (request/revision.hpp). Throws Problem if the plan is of another map, or the
+// state cannot be one of the plan.
+std::string revise_answer(const SharedMap& map, const request::RevisionRequest& request, PlannerPool& planners,
+                          double seconds, const http::Worker& worker);
 
 // Whether export_answer supports the format.
 bool is_export_format(const std::string& format);

@@ -1,8 +1,6 @@
 #include "service/mission_revision.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -11,91 +9,13 @@
 #include "io/plan_json.hpp"
 #include "io/sha256.hpp"
 #include "io/state_json.hpp"
+#include "request/revision.hpp"
 #include "service/answers.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/revise.hpp"
 
 namespace waybreaker::service {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Whether two agents go the same way from then on.
-bool same_way(const Itinerary& one, const Itinerary& other, double since) {
-    const auto ahead = [since](const Itinerary& agent) {
-        constexpr double hair = 1e-9;
-        const double from = since * (1 + hair);
-        return std::ranges::subrange(std::ranges::upper_bound(agent.path, from, {}, &Waypoint::t), agent.path.end());
-    };
-    return std::ranges::equal(ahead(one), ahead(other));
-}
-
-bool has_agent(const std::vector<Itinerary>& agents, const std::string& id) {
-    return std::ranges::find(agents, id, &Itinerary::id) != agents.end();
-}
-
-// Agents that were not there, or go another way from where they can decide; and agents that are gone.
-void add_agents(Json& event, const Plan& before, const Plan& after) {
-    event["changed"] = Json::array();
-    event["gone"] = Json::array();
-    for (const Itinerary& is : after.agents) {
-        const auto was = std::ranges::find(before.agents, is.id, &Itinerary::id);
-        double since = 0;
-        if (after.revised) {
-            const auto& decisions = after.revised->decisions;
-            const auto decision = std::ranges::find(decisions, is.id, &Decision::agent);
-            since = decision == decisions.end() ? after.revised->now : decision->time;
-        }
-        if (was == before.agents.end() || !same_way(*was, is, since)) event["changed"].push_back(is.id);
-    }
-    for (const Itinerary& was : before.agents) {
-        if (!has_agent(after.agents, was.id)) event["gone"].push_back(was.id);
-    }
-}
-
-// Breaches that are new, and those that will not be made.
-void add_breaches(Json& event, const Plan& before, const Plan& after, const Mission& left, double now) {
-    const auto has = [](const Plan& plan, ObstacleId id) {
-        return std::ranges::find(plan.breaches, id, &Breach::obstacle) != plan.breaches.end();
-    };
-    event["added"] = Json::array();
-    event["dropped"] = Json::array();
-    for (const Breach& breach : after.breaches) {
-        if (!has(before, breach.obstacle)) event["added"].push_back(breach.obstacle.value);
-    }
-    const std::vector<TimedOpening>& opened = left.rules.opened;
-    for (const Breach& breach : before.breaches) {
-        const bool opens = std::ranges::find(opened, breach.obstacle, &TimedOpening::obstacle) != opened.end();
-        if (breach.cleared_at > now && !opens && !has(after, breach.obstacle))
-            event["dropped"].push_back(breach.obstacle.value);
-    }
-}
-
-Json head_of(const ReportRecord& record) {
-    return {
-        {"sequence", record.sequence}, {"revision", record.revision}, {"now", record.now}, {"status", record.status}};
-}
-
-// What clients that listen learn of a plan.
-std::string event_of(const ReportRecord& record, const Plan& before, const Plan& after, const Mission& left) {
-    Json event = head_of(record);
-    const std::optional<double> makespan = after.after.makespan;
-    event["makespan"] = makespan && std::isfinite(*makespan) ? Json(*makespan) : Json(nullptr);
-    add_agents(event, before, after);
-    add_breaches(event, before, after, left, record.now);
-    event["halts"] = Json::array();
-    return event.dump();
-}
-
-// The same where there is none: why, and who must stop.
-std::string event_without_plan(const ReportRecord& record, const Revision& revision) {
-    Json event = head_of(record);
-    if (revision.status == RevisionStatus::no_plan) event["reason"] = to_string(revision.plan.status);
-    event["halts"] = Json::array();
-    for (const Halt& halt : revision.halts)
-        event["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", halt.by}});
-    return event.dump();
-}
 
 // The map as it is known since that plan, and weighed as the request asks.
 io::MapFile map_now(const LiveTask& task, const Plan& plan) {
@@ -105,6 +25,10 @@ io::MapFile map_now(const LiveTask& task, const Plan& plan) {
     request::MissionOnMap weighed = request::on_map(asked.mission, asked.options, known);
     if (weighed.reweighted) known.map = *std::move(weighed.reweighted);
     return known;
+}
+
+request::RevisionHead head_of(const ReportRecord& record) {
+    return {record.sequence, record.revision, record.now, record.status};
 }
 
 }  // namespace
@@ -117,7 +41,7 @@ ReportRecord first_plan(const LiveTask& task, const http::Worker& worker) {
                             "mission-without-plan");
     }
     ReportRecord record{.status = "planned", .plan = first.text};
-    record.event = event_of(record, {}, first.plan, {});
+    record.event = request::revision_event(head_of(record), {}, first.plan, {});
     return record;
 }
 
@@ -142,7 +66,7 @@ ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::s
                         .status = std::string(to_string(revision.status)),
                         .state = io::state_json(report).dump()};
     if (!planned) {
-        record.event = event_without_plan(record, revision);
+        record.event = request::event_without_plan(head_of(record), revision);
         return record;
     }
     io::MissionDocument asked = before.asked;
@@ -153,7 +77,7 @@ ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::s
                                                 .connectivity = before.connectivity,
                                                 .timing_fields = task.request.plan.timing_fields,
                                                 .supersedes = io::sha256_digest(held.plan)});
-    record.event = event_of(record, before.plan, revision.plan, revision.mission);
+    record.event = request::revision_event(head_of(record), before.plan, revision.plan, revision.mission);
     return record;
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "report-unfit");

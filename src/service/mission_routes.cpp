@@ -9,6 +9,7 @@
 
 #include "http/problem.hpp"
 #include "io/state_json.hpp"
+#include "request/revision.hpp"
 #include "service/responses.hpp"
 
 namespace waybreaker::service {
@@ -24,12 +25,6 @@ Json summary_json(const LiveMissions::Summary& summary) {
             {"status", summary.status}};
 }
 
-// An object with a plan, or null, as its last member; the plan's bytes are those of its document.
-std::string with_plan(std::string object, const std::string& plan) {
-    object.pop_back();
-    return object + ", \"plan\": " + (plan.empty() ? "null\n" : plan) + "}\n";
-}
-
 Route begin_route(LiveMissions& missions, MapStore& maps) {
     const auto handle = [&](const Call& call) -> Answer {
         const request::LiveRequest asked =
@@ -39,7 +34,7 @@ Route begin_route(LiveMissions& missions, MapStore& maps) {
                            map = maps.if_loaded(asked.map)](const http::Worker& worker) {
             const LiveMissions::Begun begun =
                 missions.begin(asked, body, map ? map : maps.load(asked.map), *place, worker);
-            return kept_response(with_plan(summary_json(begun.summary).dump(), begun.first.plan),
+            return kept_response(request::with_plan(summary_json(begun.summary).dump(), begun.first.plan),
                                  root + "/" + begun.summary.mission.id, true);
         };
         return Deferred{.work = std::move(work)};
@@ -78,7 +73,7 @@ Route report_route(LiveMissions& missions) {
         http::Work work = [&, id = call.id, body = std::move(call.request.body)](const http::Worker& worker) {
             const State state = read_request([&body] { return io::parse_state(body, "report"); });
             const ReportRecord report = missions.report(id, state, worker);
-            return ok_response(with_plan(report.event, report.plan));
+            return ok_response(request::with_plan(report.event, report.plan));
         };
         return Deferred{.work = std::move(work)};
     };

@@ -202,6 +202,19 @@ Route check_route(MapStore& store) {
     return {"POST", "/api/v1/maps/{id}/check", http::BodyType::json, false, handle};
 }
 
+Route revise_route(MapStore& store, PlannerPool& planners, double seconds) {
+    const auto handle = [&store, &planners, seconds](Call call) -> Answer {
+        require_size(call.request, "a plan with a state");
+        return Deferred{[map = NeededMap(store, call.id), body = std::move(call.request.body), &planners,
+                         seconds](const http::Worker& worker) {
+            const request::RevisionRequest asked =
+                read_request([&body] { return request::parse_revision_request(body); });
+            return ok_response(revise_answer(map.load(), asked, planners, seconds, worker));
+        }};
+    };
+    return {"POST", "/api/v1/maps/{id}/revise", http::BodyType::json, false, handle};
+}
+
 Route export_route(MapStore& store) {
     const auto handle = [&store](Call call) -> Answer {
         const std::string format = call.request.query.get("format");
@@ -258,6 +271,7 @@ std::vector<Route> routes(MapStore& store, PlannerPool& planners, const ServiceL
     all.push_back(plan_route("front", front_answer, store, planners, limits.seconds));
     all.push_back(plan_route("compare", compare_answer, store, planners, limits.seconds));
     all.push_back(check_route(store));
+    all.push_back(revise_route(store, planners, limits.seconds));
     all.push_back(export_route(store));
     return all;
 }

@@ -1,9 +1,11 @@
 #include "studio/plan_html.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "io/background_json.hpp"
 #include "io/check_report.hpp"
+#include "io/map_document.hpp"
 #include "io/obstacles_json.hpp"
 #include "io/plan_file.hpp"
 #include "mapfile/map_info.hpp"
@@ -12,28 +14,42 @@
 
 namespace waybreaker::studio {
 
+namespace {
+
+StillPlan still_of(const io::MapFile& map, const std::string& plan) {
+    const io::PlanFile file = io::parse_plan(plan, "the plan");
+    return {.title = "Plan: " + map.name(),
+            .sentence = render::plan_sentence(map, file),
+            .picture = render::plan_svg(map, file)};
+}
+
+}  // namespace
+
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
     using Json = nlohmann::ordered_json;
     auto description = Json::parse(mapfile::map_info_json(map));
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
                        ",\"background\": " + io::background_json(map.annotations.background) + ",\n\"plans\": [";
-    StillPlan still{.title = "Plan: " + map.name()};
     for (const NamedPlan& plan : plans) {
         const io::PlanFile file = io::parse_plan(plan.json, "the plan");
-        if (data.back() == '[') {
-            still.sentence = render::plan_sentence(map, file);
-            still.picture = render::plan_svg(map, file);
-        } else {
-            data += ',';
-        }
+        if (data.back() != '[') data += ',';
         const std::string check = io::check_json(io::judge(file, map));
         data += R"({"name": ")" + plan.name + R"(", "plan": )" + plan.json + ", \"check\": " + check + "}";
     }
     data += "]";
     if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();
     data += "}";
-    return plan_page(still, data);
+    return plan_page(still_of(map, plans.front().json), data);
+}
+
+std::string steerable_html(const io::MapFile& map, Connectivity connectivity, const std::string& plan,
+                           std::string planner) {
+    const io::MapPlace place{.georeference = mapfile::georeference_json(map), .frame_crs = mapfile::frame_crs(map)};
+    return plan_page(still_of(map, plan),
+                     CarriedPlanner{.map = io::map_document(map.source, {map, connectivity, place}),
+                                    .plan = plan,
+                                    .planner = std::move(planner)});
 }
 
 }  // namespace waybreaker::studio

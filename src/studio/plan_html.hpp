@@ -17,4 +17,9 @@ struct NamedPlan {
 // `front`: a plan file that holds one, or nothing.
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front = "");
 
+// The same plan as a page that plans by itself: whoever drags the start or changes the mission sees it planned anew.
+// `planner`: studio.wasm, by gzip (http/gzip.hpp).
+std::string steerable_html(const io::MapFile& map, Connectivity connectivity, const std::string& plan,
+                           std::string planner);
+
 }  // namespace waybreaker::studio

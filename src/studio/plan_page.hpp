@@ -13,7 +13,17 @@ struct StillPlan {
     std::string picture = {};   // an SVG element
 };
 
+// What a page carries that plans by itself (`Carried` of studio/src/api/carried.ts).
+struct CarriedPlanner {
+    std::string map = {};      // a map document ("waybreaker-map/1")
+    std::string plan = {};     // a plan file; its mission is planned when the page is opened
+    std::string planner = {};  // studio.wasm, by gzip
+};
+
 // The viewer of studio/ with `data` in it: JSON with what it shows (`PlanDocument` of studio/src/mission/viewer.ts).
 std::string plan_page(const StillPlan& still, std::string_view data);
+
+// The page of studio/ itself, with a planner in it.
+std::string plan_page(const StillPlan& still, const CarriedPlanner& carried);
 
 }  // namespace waybreaker::studio

@@ -1,12 +1,13 @@
-// Opens the page: a studio that asks the server, or the viewer of the plan that the document holds.
+// Opens the page: a studio that asks the server, or plans by itself, or the viewer of the plan that the document holds.
 import { effect } from "@preact/signals";
 import { render } from "preact";
+import { carriedBy, carriedClient } from "./api/carried";
 import { HttpClient } from "./api/http_client";
 import { LocalClient } from "./api/local_client";
 import { keepForOffline } from "./api/offline";
 import { TabToken } from "./api/token";
 import { fragmentOf, missionAt, type Place, TooLarge } from "./mission/address";
-import { openMission } from "./mission/opening";
+import { openCarried, openMission } from "./mission/opening";
 import { Studio } from "./mission/studio";
 import { viewerOf, type PlanDocument } from "./mission/viewer";
 import { App } from "./panel/app";
@@ -14,16 +15,17 @@ import "./style.css";
 
 const root = document.getElementById("app")!;
 const held = document.getElementById("waybreaker")?.textContent;
+const carried = carriedBy(document);
 
 if (held) {
   render(<App page={viewerOf(JSON.parse(held) as PlanDocument)} />, root);
 } else {
   const isSite = document.querySelector('meta[name="waybreaker-site"]') !== null; // `waybreaker site` wrote it
-  const token = isSite ? null : new TabToken();
-  const studio = new Studio(token ? new HttpClient(token) : localClient());
+  const token = isSite || carried ? null : new TabToken();
+  const studio = new Studio(carried ? carriedClient(carried) : token ? new HttpClient(token) : localClient());
   render(<App page={studio.page} studio={studio} token={token} />, root);
   void missionIn(location, studio)
-    .then((query) => studio.maps.start(query))
+    .then((query) => (carried && !query ? openCarried(studio, carried.plan) : studio.maps.start(query)))
     .then(() => keepAddress(studio));
   // A link put into the address of this very page changes its fragment alone.
   addEventListener("hashchange", async ({ newURL }) => {

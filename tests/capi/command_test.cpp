@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,30 +13,7 @@
 namespace waybreaker::capi {
 namespace {
 
-class CommandAndC : public TemporaryFolder {
-  protected:
-    // Runs `waybreaker ARGUMENTS` in the test's folder.
-    void run(const std::string& arguments) const {
-        const std::string line = "cd '" + path("") + "' && '" WAYBREAKER_COMMAND "' " + arguments + " >log 2>&1";
-        ASSERT_EQ(std::system(line.c_str()), 0) << line << '\n' << bytes_of("log");
-    }
-
-    void expect_equal(const std::string& map_bytes, const std::string& mission, int connectivity = 4,
-                      double cell_size = 0) {
-        put("city.map", map_bytes);
-        put("mission.json", mission);
-        std::string options = " --connectivity " + std::to_string(connectivity);
-        if (cell_size != 0) options += " --cell-size " + std::to_string(cell_size);
-        run("plan city.map --mission mission.json --no-timing --json plan.json" + options);
-        const OwnedMap map = from_movingai(map_bytes, "city.map", connectivity, cell_size);
-        ASSERT_TRUE(map);
-        const Answer plan = capi::plan(planner, map, mission);
-        EXPECT_EQ(plan.status, WAYBREAKER_OK) << plan.error;
-        EXPECT_EQ(plan.text, bytes_of("plan.json"));
-    }
-
-    OwnedPlanner planner = new_planner();
-};
+using Json = nlohmann::json;
 
 // Rooms of 7 cells with a door here and there.
 std::string rooms() {
@@ -58,6 +36,34 @@ std::string mission(const std::string& rules, const std::string& more = "") {
         "rules": {)" +
            rules + "}" + more + "}";
 }
+
+class CommandAndC : public TemporaryFolder {
+  protected:
+    // The exit status of `waybreaker ARGUMENTS` in the test's folder.
+    int status_of(const std::string& arguments) const {
+        const std::string line = "cd '" + path("") + "' && '" WAYBREAKER_COMMAND "' " + arguments + " >log 2>&1";
+        return WEXITSTATUS(std::system(line.c_str()));
+    }
+    void run(const std::string& arguments) const {
+        ASSERT_EQ(status_of(arguments), 0) << arguments << '\n' << bytes_of("log");
+    }
+
+    void expect_equal(const std::string& map_bytes, const std::string& mission, int connectivity = 4,
+                      double cell_size = 0) {
+        put("city.map", map_bytes);
+        put("mission.json", mission);
+        std::string options = " --connectivity " + std::to_string(connectivity);
+        if (cell_size != 0) options += " --cell-size " + std::to_string(cell_size);
+        run("plan city.map --mission mission.json --no-timing --json plan.json" + options);
+        const OwnedMap map = from_movingai(map_bytes, "city.map", connectivity, cell_size);
+        ASSERT_TRUE(map);
+        const Answer plan = capi::plan(planner, map, mission);
+        EXPECT_EQ(plan.status, WAYBREAKER_OK) << plan.error;
+        EXPECT_EQ(plan.text, bytes_of("plan.json"));
+    }
+
+    OwnedPlanner planner = new_planner();
+};
 
 TEST_F(CommandAndC, PlanTheSame) {
     expect_equal(rooms(), mission(R"("removals": 2, "breach_time": 3)"));
@@ -104,6 +110,48 @@ TEST_F(CommandAndC, JudgeTheSame) {
     put("plan.json", plan);
     run("check city.map plan.json --json report.json");
     EXPECT_EQ(check(map, plan).text, bytes_of("report.json"));
+}
+
+// A wall with a way around it at either end, and one that ends at the lower edge.
+std::string two_walls() {
+    std::string map = "type octile\nheight 12\nwidth 32\nmap\n";
+    for (int y = 0; y < 12; ++y) {
+        std::string row(32, '.');
+        if (y > 0 && y < 11) row[10] = '@';
+        if (y > 0) row[21] = '@';
+        map += row + "\n";
+    }
+    return map;
+}
+
+TEST_F(CommandAndC, ReviseTheSame) {
+    put("walls.map", two_walls());
+    const OwnedMap map = from_movingai(two_walls(), "walls.map");
+    const std::string plan = capi::plan(planner, map, R"({"format": "waybreaker-mission/1", "agents": [
+        {"id": "rover", "kind": "ground", "start": [2, 6], "goal": [29, 6]},
+        {"id": "drone", "kind": "air", "start": [2, 6], "goal": [29, 6]}],
+        "rules": {"removals": 1, "breach_time": 2}})")
+                                 .text;
+    put("plan.json", plan);
+    const Json removed = Json::parse(plan)["removed"];
+    ASSERT_FALSE(removed.empty());
+    const std::string first = removed[0]["obstacle"].dump();
+    const std::string at = removed[0]["cleared_at"].dump();
+    for (const std::string& news :
+         {R"("now": )" + at + R"(, "failed": [{"obstacle": )" + first + R"(, "at": )" + at + "}]",
+          std::string(R"("now": 5, "agents": [{"id": "drone", "passed": 0, "doing": "lost"}])"),
+          std::string(R"("now": 5, "agents": [{"id": "rover", "passed": 0, "doing": "lost"}])"),
+          std::string(R"("now": 5, "found": [{"cells": [[27, 6], [27, 7]]}])"), std::string(R"("now": 7)")}) {
+        const std::string state = R"({"format": "waybreaker-state/1", "sequence": 1, )" + news + "}";
+        put("state.json", state);
+        // Without a plan the exit status is 1, and the files are written nevertheless.
+        EXPECT_LE(status_of("revise walls.map plan.json --state state.json --reaction 1 --no-timing --json new.json"),
+                  1);
+        EXPECT_LE(status_of("check walls.map new.json --after plan.json --state state.json --json report.json"), 1);
+        const Answer next = revise(planner, map, plan, state, 1);
+        EXPECT_EQ(next.text, bytes_of("new.json")) << news << next.error;
+        EXPECT_EQ(check_after(map, next.text, plan, state).text, bytes_of("report.json")) << news;
+    }
 }
 
 TEST_F(CommandAndC, PlanTheSameOnAMapOfTheBenchmarks) {

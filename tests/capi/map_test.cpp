@@ -126,6 +126,83 @@ TEST(CMap, OfLabelsHasTheDigestOfAllThatDecidesAPlan) {
     }
 }
 
+OwnedMap with(const OwnedMap& map, const std::vector<waybreaker_edit>& edits, Answer* why = nullptr) {
+    return map_by(
+        [&](auto** edited, auto** error) {
+            return waybreaker_map_with(map.get(), edits.data(), edits.size(), edited, error);
+        },
+        why);
+}
+
+waybreaker_edit remove_edit(std::uint32_t obstacle) {
+    return {WAYBREAKER_EDIT_REMOVE, obstacle, nullptr, 0, {}};
+}
+
+waybreaker_edit edit_of(std::int32_t kind, std::uint32_t obstacle, const std::vector<waybreaker_cell>& cells) {
+    return {kind, obstacle, cells.data(), cells.size(), {0, 1, 0, true}};
+}
+
+TEST(CMap, ChangesByEditsAndIdsStay) {
+    const OwnedMap map = from_movingai(yard);
+    const std::vector<waybreaker_cell> built{{0, 0}, {1, 0}};
+    const std::vector<waybreaker_cell> longer{{3, 1}};
+    const std::vector<waybreaker_cell> cleared{{0, 2}};
+    waybreaker_edit wall = edit_of(WAYBREAKER_EDIT_ADD, 0, built);
+    wall.attributes = {4711, 2.5, 3, true};
+    const OwnedMap edited = with(map, {remove_edit(1), wall, edit_of(WAYBREAKER_EDIT_EXTEND, 2, longer),
+                                       edit_of(WAYBREAKER_EDIT_FREE, 0, cleared)});
+    ASSERT_TRUE(edited);
+    EXPECT_EQ(labels_of(edited), (std::vector<std::uint32_t>{4, 4, 0, 0, 0, 0, 2, 2, 0, 0, 0, 0}));
+    EXPECT_EQ(labels_of(map), labels_of(from_movingai(yard))) << "the map stays as it is";
+    EXPECT_EQ(waybreaker_map_obstacle_count(edited.get()), 4U);
+    waybreaker_obstacle obstacle{};
+    ASSERT_TRUE(waybreaker_map_obstacle(edited.get(), 4, &obstacle));
+    EXPECT_EQ(obstacle.attributes.source_id, 4711);
+    EXPECT_EQ(obstacle.attributes.weight, 2.5);
+    ASSERT_TRUE(waybreaker_map_obstacle(edited.get(), 1, &obstacle));
+    EXPECT_EQ(obstacle.cells, 0U);
+    EXPECT_GT(obstacle.min_x, obstacle.max_x);
+}
+
+// docs/c.md says of what bytes.
+TEST(CMap, HasTheDigestOfTheMapBeforeAndOfItsEdits) {
+    using namespace std::string_literals;
+    const auto digest = [](const OwnedMap& map) { return std::string(waybreaker_map_digest(map.get())); };
+    const OwnedMap map = from_movingai(yard);
+    const std::vector<waybreaker_cell> cells{{1, 2}};
+    const waybreaker_edit wall = edit_of(WAYBREAKER_EDIT_ADD, 99, cells);
+    const OwnedMap edited = with(map, {wall});
+    const std::string added = "\x01\0\0\0"s + "\0\0\0\0"s + "\x01\0\0\0"s + "\x01\0\0\0\x02\0\0\0"s;
+    const std::string attributes = "\0\0\0\0\0\0\0\0"s + "\0\0\0\0\0\0\xF0\x3F"s + "\0\0\0\0\0\0\0\0"s + "\x01";
+    EXPECT_EQ(digest(edited), io::sha256_digest("waybreaker-edit/1\n" + digest(map) + "\n" + added + attributes));
+    EXPECT_EQ(digest(with(map, {})), digest(map));
+    EXPECT_EQ(digest(with(edited, {remove_edit(1)})), digest(with(map, {wall, remove_edit(1)})));
+    EXPECT_NE(digest(with(map, {remove_edit(1)})), digest(with(map, {remove_edit(2)})));
+}
+
+TEST(CMap, RefusesEditsThatDoNotFit) {
+    const OwnedMap map = from_movingai(yard);
+    const auto why = [&](const waybreaker_edit& edit) {
+        Answer answer;
+        EXPECT_FALSE(with(map, {edit}, &answer));
+        EXPECT_EQ(answer.status, WAYBREAKER_INPUT_ERROR);
+        return answer.error;
+    };
+    const std::vector<waybreaker_cell> outside{{4, 0}};
+    EXPECT_EQ(why(remove_edit(0)), "there is no obstacle 0 to remove");
+    EXPECT_EQ(why(remove_edit(4)), "there is no obstacle 4 to remove");
+    EXPECT_EQ(why(edit_of(WAYBREAKER_EDIT_EXTEND, 9, outside)), "there is no obstacle 9 to extend");
+    EXPECT_NE(why(edit_of(WAYBREAKER_EDIT_FREE, 0, outside)).find("4,0"), std::string::npos);
+    EXPECT_EQ(why(edit_of(WAYBREAKER_EDIT_ADD, 0, {})), "an obstacle that is added needs at least one cell");
+    EXPECT_EQ(why(edit_of(4, 0, {})), "there is no kind of edit 4");
+    EXPECT_EQ(why({WAYBREAKER_EDIT_FREE, 0, nullptr, 1, {}}), "the array of an edit's cells is NULL");
+    EXPECT_NE(why({WAYBREAKER_EDIT_ADD, 0, outside.data(), 1, {0, -1, 0, true}}).find("weight"), std::string::npos);
+    waybreaker_map* edited = nullptr;
+    EXPECT_EQ(waybreaker_map_with(nullptr, nullptr, 0, &edited, nullptr), WAYBREAKER_INPUT_ERROR);
+    EXPECT_EQ(waybreaker_map_with(map.get(), nullptr, 1, &edited, nullptr), WAYBREAKER_INPUT_ERROR);
+    EXPECT_EQ(edited, nullptr);
+}
+
 // What is refused, and how.
 TEST(CMap, RefusesBadInput) {
     const auto why_grid = [](Sides sides, int connectivity = 4, double cell_size = 0) {

@@ -64,6 +64,22 @@ inline Answer check(const OwnedMap& map, std::string_view plan, bool* valid = nu
     });
 }
 
+inline Answer revise(const OwnedPlanner& planner, const OwnedMap& map, std::string_view plan, std::string_view state,
+                     double reaction = 0, double seconds = 1e6) {
+    return answer([&](auto** text, auto** error) {
+        return waybreaker_revise(planner.get(), map.get(), plan.data(), plan.size(), state.data(), state.size(),
+                                 reaction, seconds, false, text, error);
+    });
+}
+
+inline Answer check_after(const OwnedMap& map, std::string_view plan, std::string_view before, std::string_view state,
+                          bool* valid = nullptr) {
+    return answer([&](auto** text, auto** error) {
+        return waybreaker_check_after(map.get(), plan.data(), plan.size(), before.data(), before.size(), state.data(),
+                                      state.size(), valid, text, error);
+    });
+}
+
 inline Answer svg(const OwnedMap& map, std::string_view plan) {
     return answer([&](auto** text, auto** error) {
         return waybreaker_plan_svg(map.get(), plan.data(), plan.size(), text, error);

@@ -263,6 +263,18 @@ const std::vector<Mutation> mutations{
          c.plan.bound = *c.plan.after.makespan - 0.5;
          return c.breach().saves = -0.6, true;
      }},
+    {"fails for less than any plan could", Rule::if_failed,
+     [](LonePlan& c) {
+         c.plan.bound = *c.plan.after.makespan - 0.5;
+         return c.breach().if_failed = IfFailed{*c.plan.bound - 0.1}, true;
+     }},
+    {"removes more after a failure than it may", Rule::if_failed,
+     [](LonePlan& c) {
+         const auto allowed = std::size_t(c.mission.rules.removals);
+         c.breach().if_failed =
+             IfFailed{*c.plan.after.makespan + 1, std::vector<ObstacleId>(allowed + 1, ObstacleId{1})};
+         return true;
+     }},
     {"gains something else", Rule::gain,
      [](LonePlan& c) {
          const auto& alone = c.plan.before.ground().length;

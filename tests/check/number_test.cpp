@@ -111,6 +111,13 @@ TEST(CheckedNumbers, WhatARemovalSavesMayBeInfinite) {
         saves = none;
         EXPECT_EQ(broken_rules(two_walls(), made.mission, made.plan), std::set<Rule>{Rule::saves});
     }
+    saves.reset();
+    IfFailed& plan_b = made.plan.breaches[0].if_failed.emplace(IfFailed{infinity});
+    EXPECT_TRUE(is_valid(two_walls(), made.mission, made.plan));
+    for (const double none : {nan, -infinity}) {
+        plan_b.objective = none;
+        EXPECT_TRUE(broken_rules(two_walls(), made.mission, made.plan).contains(Rule::if_failed));
+    }
 }
 
 TEST(CheckedNumbers, OfAMissionAreInRange) {

@@ -56,7 +56,8 @@ TEST_F(PlanGpx, HoldsNamesOfAnyBytes) {
     plan.agents[0].id = "<ground>";
     const auto file = read("plan.gpx", plan_gpx(placed()));
     ASSERT_TRUE(file);
-    EXPECT_EQ(file->GetLayerByName("tracks")->GetNextFeature()->GetFieldAsString("name"), std::string("<ground>"));
+    const OGRFeatureUniquePtr track(file->GetLayerByName("tracks")->GetNextFeature());
+    EXPECT_EQ(track->GetFieldAsString("name"), std::string("<ground>"));
 }
 
 TEST_F(PlanGpx, NeedsToKnowWhereTheMapLies) {

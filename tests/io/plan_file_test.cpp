@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -46,6 +47,7 @@ void expect_same(const Breach& written, const Breach& read) {
     RC_ASSERT(read.cleared_at == written.cleared_at);
     RC_ASSERT(read.entered_at == written.entered_at);
     RC_ASSERT(read.saves == written.saves);
+    RC_ASSERT(read.if_failed == written.if_failed);
     RC_ASSERT(read.by == written.by);
     RC_ASSERT(read.begun_at == written.begun_at);
 }
@@ -123,6 +125,8 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     Plan plan = Planner().plan(file.map, mission, method);
     for (Breach& breach : plan.breaches) {
         breach.saves = 0.1;
+        breach.if_failed = *rc::gen::element(std::optional<IfFailed>(), std::optional(IfFailed{7.5, {{1}, {2}}}),
+                                             std::optional(IfFailed{std::numeric_limits<double>::infinity()}));
         breach.by = *rc::gen::element<std::string>("", "air 1");
         breach.begun_at = *rc::gen::element(std::optional<double>(), std::optional(0.3));
     }

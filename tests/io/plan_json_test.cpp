@@ -196,6 +196,7 @@ TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
     method.heuristic = Heuristic::octile;
     method.tie_break = TieBreak::g_min;
     plan.breaches[0].saves = 3.5;
+    plan.breaches[0].if_failed = IfFailed{std::numeric_limits<double>::infinity()};
     plan.next = {{.obstacle = {2}, .source_id = 77, .saves = 0.5}};
     const Json written = json()["options"];
     EXPECT_EQ(written["timing"], "enforce");
@@ -207,6 +208,9 @@ TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
     EXPECT_EQ(written["heuristic"], "octile");
     EXPECT_EQ(written["tie_break"], "g-min");
     EXPECT_EQ(json()["removed"][0]["saves"], 3.5);
+    EXPECT_EQ(json()["removed"][0]["if_failed"].dump(), R"({"objective":null,"removed":[]})");
+    plan.breaches[0].if_failed = IfFailed{7.5, {{2}, {4}}};
+    EXPECT_EQ(json()["removed"][0]["if_failed"].dump(), R"({"objective":7.5,"removed":[2,4]})");
     EXPECT_EQ(json()["removed"][0]["weight"], 2.5);
     EXPECT_EQ(json()["next"].dump(), R"([{"obstacle":2,"source_id":77,"saves":0.5}])");
 }

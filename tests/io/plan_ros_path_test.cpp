@@ -123,5 +123,93 @@ TEST(RosPaths, RefuseWhatRosCannotSay) {
     EXPECT_EQ(YAML::Load(plan_ros_path({}, floor_map())).size(), 0U);
 }
 
+// A crate, C, bars the corridor; the robot drives up to it, round a bend, and meets nobody on its way.
+class RosParts : public testing::Test {
+  protected:
+    MapFile map{
+        .map = map_from_ascii("....... ....#.. ....#.. ......."), .cell_size = 0.5, .origin = std::array{0.0, 0.0}};
+    Mission mission{.agents = {{.id = "ground", .start = {0, 0}, .goal = {6, 2}}, aircraft("air", {0, 3})}};
+    Plan plan;
+
+    RosParts() {
+        plan.status = PlanStatus::solved;
+        plan.breaches = {{.obstacle = map.map.obstacle_at({4, 1}), .at = {4, 3}, .cleared_at = 9}};
+        plan.agents = {{.id = "ground", .path = {{0, 0, 0}, {2, 0, 2}, {2, 2, 4}, {2, 2, 9}, {6, 2, 13}}},
+                       {.id = "air", .kind = AgentKind::air, .path = {{0, 3, 0}, {4, 3, 4}, {4, 3, 9}, {0, 3, 13}}}};
+    }
+
+    YAML::Node parts(const char* agent) { return YAML::Load(plan_ros_parts(plan, map, mission))[agent]; }
+
+    static std::vector<int> openings(const YAML::Node& part) { return part["openings"].as<std::vector<int>>(); }
+};
+
+TEST_F(RosParts, EndWhereTheAgentWaits) {
+    const YAML::Node ground = parts("ground");
+    ASSERT_EQ(ground.size(), 2U);
+    EXPECT_TRUE(openings(ground[0]).empty());
+    EXPECT_EQ(openings(ground[1]), std::vector<int>{1});
+    const auto first = poses(ground[0]);
+    EXPECT_EQ(first.size(), 5U);
+    EXPECT_EQ(first.back().t, 4);
+    const auto second = poses(ground[1]);
+    EXPECT_EQ(second.front().t, 9);
+    EXPECT_EQ(ground[1]["header"]["stamp"]["sec"].as<int>(), 9);
+    EXPECT_EQ(second.front().x, first.back().x);
+    EXPECT_EQ(second.front().y, first.back().y);
+    // An aircraft opens and does not wait for an opening.
+    const YAML::Node air = parts("air");
+    ASSERT_EQ(air.size(), 2U);
+    EXPECT_TRUE(openings(air[0]).empty() && openings(air[1]).empty());
+}
+
+// Late enough that it need not wait: the last bend before the crate ends a part all the same.
+TEST_F(RosParts, EndBeforeAnOpeningWithoutAWait) {
+    plan.agents[0].path = {{0, 0, 6}, {2, 0, 8}, {2, 2, 10}, {6, 2, 14}};
+    const YAML::Node ground = parts("ground");
+    ASSERT_EQ(ground.size(), 2U);
+    EXPECT_EQ(poses(ground[0]).back().t, 10);
+    EXPECT_EQ(openings(ground[1]), std::vector<int>{1});
+}
+
+// Such as a breach that had begun when the plan was revised.
+TEST_F(RosParts, EndBeforeWhatOpensByItself) {
+    mission.rules.opened = {{plan.breaches[0].obstacle, 9}};
+    plan.breaches.clear();
+    plan.agents[0].path = {{0, 0, 6}, {2, 0, 8}, {2, 2, 10}, {6, 2, 14}};
+    ASSERT_EQ(parts("ground").size(), 2U);
+    EXPECT_EQ(openings(parts("ground")[1]), std::vector<int>{1});
+    plan.revised = Revised{.now = 9};  // open by then
+    EXPECT_EQ(parts("ground").size(), 1U);
+}
+
+// What the robot is bound to do ends at its decision point.
+TEST_F(RosParts, EndWhereARevisionLetsTheRobotDecide) {
+    plan.revised = Revised{.decisions = {{"air", 1, 4}, {"ground", 1, 2}}};
+    const YAML::Node ground = parts("ground");
+    ASSERT_EQ(ground.size(), 3U);
+    EXPECT_EQ(poses(ground[0]).back().t, 2);
+    EXPECT_EQ(poses(ground[1]).back().t, 4);
+    EXPECT_EQ(openings(ground[2]), std::vector<int>{1});
+    EXPECT_EQ(parts("air").size(), 2U);
+}
+
+// Beside the crate a narrow robot touches nothing, and a wide one does.
+TEST_F(RosParts, KnowTheRobotsSize) {
+    plan.agents[0].path = {{0, 0, 0}, {2, 0, 2}, {6, 0, 6}};
+    mission.agents[0].body = {.radius = 0.5};
+    EXPECT_EQ(parts("ground").size(), 1U);
+    mission.agents[0].body = {.radius = 0.501};
+    ASSERT_EQ(parts("ground").size(), 2U);
+    EXPECT_EQ(openings(parts("ground")[1]), std::vector<int>{1});
+}
+
+TEST_F(RosParts, LeaveOutWhatLeadsNowhere) {
+    plan.agents[0].path = {{0, 0, 0}, {0, 0, 3}, {0, 0, 5}, {2, 0, 7}, {2, 0, 7}, {2, 0, 9}};
+    ASSERT_EQ(parts("ground").size(), 1U);
+    EXPECT_EQ(poses(parts("ground")[0]).front().t, 5);
+    plan.agents[0].path = {{0, 0, 0}};
+    EXPECT_EQ(parts("ground").size(), 0U);
+}
+
 }  // namespace
 }  // namespace waybreaker::io

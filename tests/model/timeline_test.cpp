@@ -89,6 +89,15 @@ TEST(Timeline, NamesTheMomentOfTheTouch) {
     EXPECT_TRUE(touch({3, 2}, {7, 5}, 1.101));
 }
 
+TEST(Timeline, RoundingIsNoTouch) {
+    const Map map = map_from_ascii("....#");
+    const std::vector<Waypoint> path{{std::nextafter(3.0, 4.0), 0.25, 0}, {3, 0, 1}, {2, 0, 2}};
+    EXPECT_FALSE(first_touch(map, {1}, path, 0.5))
+        << "it is under way along the obstacle, and to graze is not to touch";
+    const std::vector<Waypoint> nearer{{3 + 1e-6, 0.25, 0}, {3, 0, 1}, {2, 0, 2}};
+    EXPECT_EQ(first_touch(map, {1}, nearer, 0.5), 0);
+}
+
 TEST(Timeline, CountsWaits) {
     const Map map = map_from_ascii("..#");
     const std::vector<Waypoint> path{{0, 0, 0}, {1, 0, 1}, {1, 0, 11}, {2, 0, 12}};

@@ -113,6 +113,7 @@ void DescriptionTest::provoke_busy(const Json& plan) const {
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
+    post_json(house + "/revise", {{"plan", plan}, {"state", state(1, 1)}}, 503);
     for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
 }
 
@@ -183,6 +184,10 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     const Json plan = post_json(house + "/plan", house_mission);
     post_json(house + "/check", plan);
     post_json(house + "/export?format=json", plan);
+    post_json(house + "/revise", {{"plan", plan}, {"state", state(1, 1)}});
+    Json unfit = state(1, 1);
+    unfit["agents"] = Json::parse(R"([{"id": "nobody", "passed": 0}])");
+    post_json(house + "/revise", {{"plan", plan}, {"state", unfit}}, 422);
     const std::string wall = "type octile\nheight 1\nwidth 2\nmap\n.@\n";
     post(maps, wall, octets);
     post(maps, wall, octets);

@@ -161,6 +161,8 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.agents[0].approach = {{0, 1, 2}, {0, 0, 3}};
     document.mission.agents[1].from = Point(0.25, 0.5);
     document.mission.rules.opened = {{{3}, 4.5}};
+    document.mission.rules.failed = {{4}};
+    document.mission.rules.retries = 2;
     document.method.heuristic = Heuristic::octile;
     document.limits.expansions = 100;
     document.limits.gap = 0.01;

@@ -46,5 +46,20 @@ TEST(PlanPage, AsksNobodyForAnything) {
     EXPECT_NE(page.find("href=\"data:,\""), std::string::npos);
 }
 
+TEST(PlanPage, CarriesWhatItPlansWith) {
+    const CarriedPlanner carried{
+        .map = R"({"title": "</script>"})", .plan = "{}", .planner = std::string("\0asm\xff", 5)};
+    const std::string page = plan_page({.title = "title"}, carried);
+    EXPECT_NE(page.find(R"(id="waybreaker-map">{"title": "\u003c/script>"}</script>)"), std::string::npos);
+    EXPECT_NE(page.find(R"(id="waybreaker-plan">{}</script>)"), std::string::npos);
+    EXPECT_NE(page.find(R"(id="waybreaker-planner">AGFzbf8=</script>)"), std::string::npos);
+    EXPECT_EQ(count(page, "<script"), 5);
+    EXPECT_EQ(count(page, "</script"), 5);
+    EXPECT_EQ(page.find("id=\"waybreaker\""), std::string::npos) << "a page that plans is not the viewer";
+    EXPECT_NE(page.find("default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:;"),
+              std::string::npos);
+    EXPECT_EQ(page.find("src=\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace waybreaker::studio

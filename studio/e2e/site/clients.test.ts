@@ -61,9 +61,8 @@ beforeAll(async () => {
   server = await Server.start();
   wasm = await WebAssembly.compile(readFileSync(join(site, "studio.wasm")));
   clients.http = new HttpClient({ current: () => "", ask: async () => "" }, `${server.url}/api/v1`);
-  clients.local = new LocalClient(() => new Here(), Promise.resolve(wasm), async (path) => {
-    return new Response(readFileSync(join(site, path)));
-  });
+  const fetched = async (path: string) => new Response(readFileSync(join(site, path)));
+  clients.local = new LocalClient(() => new Here(), Promise.resolve(wasm), { fetched, hasFiles: true });
 });
 afterAll(async () => {
   await server.stop();

@@ -6,14 +6,14 @@ import type { AddressInfo } from "node:net";
 import { extname, join, resolve } from "node:path";
 import { command, data } from "../command";
 
-// The planner; where the command has none built in.
-const wasm = process.env.WAYBREAKER_WASM;
+// Names the planner to the command, where it has none built in.
+export const plannerOption = process.env.WAYBREAKER_WASM ? ["--wasm", process.env.WAYBREAKER_WASM] : [];
 
 // The folder of a site: that of WAYBREAKER_SITE, such as the playground of the web site, or one that is written below `scratch`.
 export function siteIn(scratch: string): string {
   if (process.env.WAYBREAKER_SITE) return resolve(process.env.WAYBREAKER_SITE);
   const folder = join(scratch, "site");
-  execFileSync(command, ["site", folder, "--maps", data, ...(wasm ? ["--wasm", wasm] : [])]);
+  execFileSync(command, ["site", folder, "--maps", data, ...plannerOption]);
   return folder;
 }
 

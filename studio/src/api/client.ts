@@ -4,10 +4,11 @@ import type { ImportRequest, Source } from "../domain/extract";
 import type { Run } from "../domain/geometry";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
-import type { MapEntry, PlanRequest } from "./documents";
+import type { MapEntry, PlanRequest, RevisionAnswer, RevisionRequest } from "./documents";
 
 export interface Client {
   readonly imports: boolean; // whether it makes maps of map data, and lays data over maps
+  readonly revises: boolean; // whether it plans the rest of a mission that is under way
 
   maps(signal?: AbortSignal): Promise<MapEntry[]>;
   map(id: string, signal?: AbortSignal): Promise<MapDescription>;
@@ -25,6 +26,9 @@ export interface Client {
   exported(id: string, plan: Plan, format: ExportFormat): Promise<Blob>;
   hasFile(id: string): boolean;
   file(id: string): Promise<{ bytes: Blob; name: string }>;
+
+  // Where `revises` says so.
+  revise(id: string, request: RevisionRequest, signal?: AbortSignal): Promise<RevisionAnswer>;
 
   // Where `imports` says so.
   sendSource(file: Blob, name: string, signal?: AbortSignal): Promise<Source>;

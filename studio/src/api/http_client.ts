@@ -16,7 +16,7 @@ import {
   stopped,
   tooMany,
 } from "./client";
-import type { MapEntry, PlanRequest, ProblemDocument } from "./documents";
+import type { MapEntry, PlanRequest, ProblemDocument, RevisionAnswer, RevisionRequest } from "./documents";
 import { readEvents } from "./events";
 
 interface Ask {
@@ -38,6 +38,7 @@ const longestWait = 5; // seconds
 
 export class HttpClient implements Client {
   readonly imports = true;
+  readonly revises = true;
 
   constructor(
     private readonly token: TokenSource,
@@ -104,6 +105,10 @@ export class HttpClient implements Client {
 
   check(id: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport> {
     return this.json(mapPath(id, "check"), { method: "POST", json: plan, signal });
+  }
+
+  revise(id: string, request: RevisionRequest, signal?: AbortSignal): Promise<RevisionAnswer> {
+    return this.json(mapPath(id, "revise"), { method: "POST", json: request, signal });
   }
 
   async exported(id: string, plan: Plan, format: ExportFormat): Promise<Blob> {

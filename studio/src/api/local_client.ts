@@ -1,5 +1,5 @@
-// The client of a page without a service: maps are files beside the page, as `waybreaker site` writes them, and a
-// planner in Workers answers the rest.
+// The client of a page without a service: maps are files beside the page, as `waybreaker site` writes them, or in it
+// (carried.ts), and a planner in Workers answers the rest.
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
 import {
@@ -29,6 +29,12 @@ interface Held extends MapDocument {
   file: Blob | null; // what was opened
 }
 
+// Where the maps are.
+export interface Folder {
+  fetched(path: string, signal?: AbortSignal): Promise<Response>; // a path below the page's own folder
+  hasFiles: boolean; // the maps' own, beside their documents
+}
+
 const mostHeld = 8; // maps
 const needsService = "“waybreaker serve” does this: this page has no server.";
 
@@ -43,18 +49,18 @@ const types: Record<ExportFormat, string> = {
 
 export class LocalClient implements Client {
   readonly imports = false;
+  readonly revises = false; // until the planner in the page does
   readonly #held = new Map<string, Held>(); // the one used last at the end
   readonly #coming = new Map<string, Promise<Held>>(); // by those who asked first, for all who ask meanwhile
   readonly #listed = new Set<string>();
   readonly #workers: PlannerWorkers;
 
-  // `fetched` are addresses below the folder of the page.
-  constructor(start: () => Port, module: Promise<WebAssembly.Module>, private readonly fetched = fetchBelow) {
+  constructor(start: () => Port, module: Promise<WebAssembly.Module>, private readonly folder: Folder = folderOfPage) {
     this.#workers = new PlannerWorkers(start, module, (map) => this.#known(map).text);
   }
 
   async maps(signal?: AbortSignal): Promise<MapEntry[]> {
-    const { maps } = JSON.parse(await (await this.fetched("maps.json", signal)).text()) as { maps: MapEntry[] };
+    const { maps } = JSON.parse(await (await this.folder.fetched("maps.json", signal)).text()) as { maps: MapEntry[] };
     for (const { id } of maps) this.#listed.add(id);
     return maps;
   }
@@ -112,14 +118,18 @@ export class LocalClient implements Client {
   }
 
   hasFile(id: string): boolean {
-    return this.#listed.has(id) || Boolean(this.#held.get(id)?.file);
+    return (this.folder.hasFiles && this.#listed.has(id)) || Boolean(this.#held.get(id)?.file);
   }
 
   async file(id: string): Promise<{ bytes: Blob; name: string }> {
     const own = this.#held.get(id)?.file;
     if (own) return { bytes: own, name: `${id}.map` };
     if (!this.#listed.has(id)) throw new ServiceError("refused", `A map that was drawn on has no file here; ${needsService}`);
-    return { bytes: await (await this.fetched(`maps/${id}`)).blob(), name: id };
+    return { bytes: await (await this.folder.fetched(`maps/${id}`)).blob(), name: id };
+  }
+
+  revise(): Promise<never> {
+    return Promise.reject(new ServiceError("refused", `Plans are revised by the service: ${needsService}`));
   }
 
   sendSource(): Promise<never> {
@@ -166,7 +176,7 @@ export class LocalClient implements Client {
 
   // Nobody's signal ends it: others may wait for it.
   async #fetchMap(id: string): Promise<Held> {
-    const text = await (await this.fetched(`maps/${id}.json`)).text();
+    const text = await (await this.folder.fetched(`maps/${id}.json`)).text();
     return { ...(JSON.parse(text) as MapDocument), text, file: null };
   }
 
@@ -180,6 +190,8 @@ export class LocalClient implements Client {
 function noService(): Promise<never> {
   return Promise.reject(new ServiceError("refused", `Maps are made of map data by the service: ${needsService}`));
 }
+
+const folderOfPage: Folder = { fetched: fetchBelow, hasFiles: true };
 
 async function fetchBelow(path: string, signal?: AbortSignal): Promise<Response> {
   let answer: Response;

@@ -93,6 +93,7 @@ export interface Agent {
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   surface?: Surface; // of a vehicle, where the map knows its ways
+  lost?: boolean; // in a rehearsal: where its path ends
   path: TimedPoint[]; // two points in a row at the same place are a wait
 }
 
@@ -102,6 +103,29 @@ export interface Surface {
   off_ways: number;
   unknown: number;
   near_water?: number; // within 5 m of it
+}
+
+// A point of an agent's path, counted from 0, or a share of the move to the next one.
+export interface PathMoment {
+  agent: string;
+  point: number;
+  fraction?: number;
+}
+
+// What waits for what: `after` is not left before the other agent has got to `before`.
+export interface Order {
+  before: PathMoment;
+  after: PathMoment;
+  why: "opening" | "passing";
+  obstacle?: number;
+  slack: number;
+}
+
+export interface RevisionNote {
+  number: number;
+  sequence: number; // of the last report that it knows
+  now: number; // when that was; paths begin then
+  decided: { agent: string; point: number; time: number }[]; // until then an agent keeps to the plan before
 }
 
 // A part of a wait that has one reason.
@@ -129,6 +153,8 @@ export interface Plan {
   next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan
+  orders?: Order[];
+  revision?: RevisionNote; // of a plan that was made while the mission was under way
   seconds?: Record<string, number>;
 }
 

@@ -7,13 +7,14 @@ import type { Ruled } from "./looks";
 import type { Background, MapDescription } from "./map";
 import type { LayerName, Mark } from "./mission";
 import type { Plan } from "./plan";
+import type { Rehearsed } from "./rehearsed";
 
 export interface Layer {
   name: LayerName;
   plan: Plan;
 }
 
-export type Tool = "move" | "wall" | "erase";
+export type Tool = "move" | "wall" | "erase" | "rubble";
 
 export interface Scene {
   map: MapDescription;
@@ -28,11 +29,19 @@ export interface Scene {
   highlighted: number | null; // obstacle pointed at in a table
   selected: number | null; // obstacle whose card is open
   old: boolean; // whether the layers answer another mission than the markers show
+  rehearsed: Rehearsed | null; // the top layer is what it shows
   time: number | null; // of playback; null shows whole paths
   followed: Point | null; // what of the map is to stay in sight while it moves
   tool: Tool;
   editable: boolean; // whether markers can be dragged
   formatTime?: (time: number) => string; // formats the duration of waits; without it they are shown without a label
+}
+
+// What is at a place of the map. `at` of SceneEvents.ask is that place in pixels.
+export interface Pointed {
+  cell: Cell;
+  obstacle: number | null;
+  agents: readonly string[]; // in playback
 }
 
 export interface SceneEvents {
@@ -42,4 +51,8 @@ export interface SceneEvents {
   choose(agent: number): void; // a click on a marker of it
   hover(obstacle: number | null): void;
   draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
+  // While rubble is held over the map, once for each cell it comes to; `done` when it is dropped. Null: it is not.
+  drop(at: Cell | null, done: boolean): void;
+  // What can be done with what is there is asked for; whether anything can.
+  ask(what: Pointed, at: Point): boolean;
 }

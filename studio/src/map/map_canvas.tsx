@@ -37,6 +37,8 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       hover: (obstacle) => latest.current.hover(obstacle),
       choose: (agent) => latest.current.choose(agent),
       draw: (tool, runs) => latest.current.draw(tool, runs),
+      drop: (at, done) => latest.current.drop(at, done),
+      ask: (what, at) => latest.current.ask(what, at),
     });
     view.current = made;
     if (scene.peek()) made.show(scene.peek()!);
@@ -64,7 +66,7 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       />
       <p id={help} class="map-help">
         Arrow keys move the map, plus and minus zoom, 0 shows all of it, Enter selects the obstacle in the middle, Escape
-        selects none. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
+        selects none, and in a rehearsal the context menu says what can happen there. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
       </p>
       <MarkerButtons scene={scene} events={events} focus={(handle) => view.current?.focusMarker(handle)} />
       <div class="map-zoom" role="group" aria-label="Zoom">

@@ -9,12 +9,14 @@ import { Sketch } from "./interaction/sketch";
 import { cellAt, nearestFree, onMap } from "./interaction/snap";
 import { LabelLayer } from "./labels/label_layer";
 import { drawCross, drawGrid, drawGround, drawNothing } from "./layers/base_layer";
-import { drawEvents, roomBesideEvents } from "./layers/event_layer";
+import { breachAt, drawEvents, roomBesideEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
 import { widthOfName } from "./layers/team_markers";
 import { ObstacleLayer } from "./layers/obstacle_layer";
 import { faint, PathLayer } from "./layers/path_layer";
+import { agentsAt } from "./layers/playing_agents";
+import { drawRehearsalSigns, RehearsalLayer } from "./layers/rehearsal_layer";
 import { drawScaleBar } from "./layers/scale_bar";
 import { FeatureIndex } from "./tiles/ground_features";
 import { TileCache } from "./tiles/tile_cache";
@@ -41,6 +43,7 @@ export class MapView implements GestureTarget {
   readonly #obstacles = new ObstacleLayer();
   readonly #labels = new LabelLayer();
   readonly #paths = new PathLayer();
+  readonly #rehearsal = new RehearsalLayer();
   readonly #sketch = new Sketch();
 
   #scene: Scene | null = null;
@@ -49,6 +52,7 @@ export class MapView implements GestureTarget {
   #spotsKnown: { key: unknown[]; all: readonly Spot[] } | null = null;
   #focused: Handle | null = null;
   #hovered: number | null = null;
+  #held: Cell | null = null; // rubble
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -192,6 +196,7 @@ export class MapView implements GestureTarget {
   drawTo(at: Point, done: boolean): void {
     const scene = this.#scene;
     if (!scene || scene.tool === "move") return;
+    if (scene.tool === "rubble") return this.#holdRubble(scene, at, done);
     this.#sketch.add(this.#toMap(at), this.#viewpoint.camera.scale);
     if (done) {
       const runs = this.#sketch.finish(scene.tool, scene.cells);
@@ -207,8 +212,22 @@ export class MapView implements GestureTarget {
       this.events.drag(this.#dragged.spot.handle, this.#dragged.before, true);
     }
     this.#dragged = null;
+    if (this.#held) this.events.drop(null, true);
+    this.#held = null;
     this.#sketch.drop();
     this.#surface.ask();
+  }
+
+  ask(at: Point | null): boolean {
+    const scene = this.#scene;
+    if (!scene) return false;
+    const { width, height } = this.#surface.view;
+    const place = at ?? [width / 2, height / 2];
+    const frame = { camera: this.#viewpoint.camera, view: this.#surface.view };
+    const plan = scene.layers.at(-1)?.plan;
+    const agents = plan && scene.time !== null ? agentsAt(frame, plan, scene.time, place) : [];
+    const obstacle = breachAt(frame, scene, this.#spots(), place) ?? this.#obstacleAt(place);
+    return this.events.ask({ cell: onMap(scene.cells, cellAt(this.#toMap(place))), obstacle, agents }, place);
   }
 
   choose(): void {
@@ -217,6 +236,15 @@ export class MapView implements GestureTarget {
 
   escape(): void {
     this.events.select(null, null);
+  }
+
+  #holdRubble(scene: Scene, at: Point, done: boolean): void {
+    const cell = onMap(scene.cells, cellAt(this.#toMap(at)));
+    const isSame = this.#held?.join() === cell.join();
+    this.#held = done ? null : cell;
+    this.#sketch.hover(done ? null : at);
+    if (done || !isSame) this.events.drop(cell, done);
+    this.#surface.ask();
   }
 
   #keepFocusInView(): void {
@@ -271,11 +299,13 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
-    this.#paths.draw(frame, scene);
+    if (scene.rehearsed) this.#rehearsal.draw(frame, scene, scene.rehearsed);
+    else this.#paths.draw(frame, scene);
     const moreLabels = this.#labels.draw(frame, scene, roomBesideEvents(frame, scene, this.#spots()));
     frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;
+    if (scene.rehearsed) drawRehearsalSigns(frame, scene, scene.rehearsed);
     drawMarkers(frame, scene, this.#spots(), this.#dragged?.spot.handle ?? this.#focused);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);

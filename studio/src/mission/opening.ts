@@ -53,6 +53,12 @@ async function openMissionFile(studio: Studio, value: Record<string, unknown>): 
   if (!studio.page.notice.value) say(studio, "", said.leftOut);
 }
 
+// The plan that the page carries. Where there was none, it does not say where from and where to.
+export async function openCarried(studio: Studio, plan: Plan): Promise<void> {
+  if (plan.agents.length > 0) await openPlan(studio, plan);
+  else await studio.maps.start("");
+}
+
 async function openPlan(studio: Studio, plan: Plan): Promise<void> {
   await studio.maps.refreshList();
   const [there, query] = asked(plan, new Set(studio.maps.list.value.map((entry) => entry.id)));

@@ -3,6 +3,8 @@ import { computed, effect, signal, type Signal } from "@preact/signals";
 import { cellOf, looksOf } from "../domain/agents";
 import type { Point } from "../domain/geometry";
 import { asksTheSame, defaults, type LayerName, type Mark, type Mission } from "../domain/mission";
+import type { Plan } from "../domain/plan";
+import type { Rehearsed } from "../domain/rehearsed";
 import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { type Pace, type Units, unitsOf } from "../domain/units";
 import type { Results } from "../planning/results";
@@ -51,6 +53,9 @@ export class PageState {
   readonly notice = signal<Notice | null>(null);
   readonly looks = computed(() => looksOf(this.mission.value?.agents ?? []));
   readonly clock = new Clock();
+  readonly rehearsed: Signal<Rehearsed | null> = signal(null);
+  // The plan that is played.
+  readonly played = computed<Plan | null>(() => this.rehearsed.value?.plan ?? this.results.plans.value.after?.plan ?? null);
 
   // Whether what is shown answers an older question.
   readonly outdated = computed(() => {

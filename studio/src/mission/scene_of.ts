@@ -11,13 +11,15 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
   const shown = page.shown.value;
   const mission = page.mission.value;
   if (!shown || !mission) return null;
+  const rehearsed = page.rehearsed.value;
   const plans = page.results.plans.value;
   const units = page.units.value;
   // The plan itself is drawn last, on top, and is what is played.
-  const layers = (["before", "paper", "after"] as const).flatMap((name): Layer[] => {
+  const planned = (["before", "paper", "after"] as const).flatMap((name): Layer[] => {
     const judged = plans[name];
     return judged && mission.layers.includes(name) ? [{ name, plan: judged.plan }] : [];
   });
+  const layers = rehearsed ? [{ name: "after" as const, plan: rehearsed.plan }] : planned;
   const marks = new Map<number, Mark>();
   for (const [key, mark] of mission.marks) {
     const id = shown.ids.toShown(key);
@@ -39,6 +41,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     highlighted: page.highlighted.value,
     selected: page.selected.value,
     old: page.old.value,
+    rehearsed,
     time: page.clock.time.value,
     followed: followed(page),
     tool: studio?.editor.tool.value ?? "move",
@@ -49,7 +52,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
 
 // In playback the chosen agent, or the first that drives.
 function followed(page: PageState): Point | null {
-  const [plan, time] = [page.results.plans.value.after?.plan, page.clock.time.value];
+  const [plan, time] = [page.played.value, page.clock.time.value];
   if (!plan || time === null || !page.clock.follows.value) return null;
   const chosen = page.mission.value?.agents[page.chosenAgent.value ?? -1]?.id;
   const agent = plan.agents.find(({ id }) => id === chosen) ?? plan.agents.find(({ kind }) => kind === "ground");

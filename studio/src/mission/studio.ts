@@ -1,9 +1,12 @@
 // The page that plans: its state, what people change about the mission, the maps there are, and a plan that follows.
-import { effect, signal, untracked } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
 import { usualVehicle } from "../domain/agents";
-import { defaults } from "../domain/mission";
+import { asksTheSame, defaults } from "../domain/mission";
+import type { Plan } from "../domain/plan";
 import { Planner } from "../planning/planner";
+import type { Judged } from "../planning/results";
+import { Rehearsal } from "../rehearse/rehearsal";
 import { Editor } from "./editor";
 import { Importer } from "./importer";
 import { encodeLink } from "./link";
@@ -21,6 +24,9 @@ export class Studio {
   readonly maps: MapDesk;
   readonly importer: Importer;
   readonly overlays: Overlays;
+  readonly rehearsal: Rehearsal;
+  // What is rehearsed is taken back first.
+  readonly canUndo = computed(() => this.rehearsal.steps.value.length > 0 || this.editor.canUndo.value);
 
   readonly #follower: PlanFollower;
   readonly #watch = new ServerWatch(() => this.maps.refreshList());
@@ -41,6 +47,13 @@ export class Studio {
     });
     this.importer = new Importer(client, (map, file) => this.maps.openMade(map, file));
     this.overlays = new Overlays(client, (map, file) => this.maps.openOverlaid(map, file));
+    this.rehearsal = new Rehearsal(client, {
+      plan: computed(() => rehearsable(results.plans.value.after)),
+      map: () => this.page.shown.value!.map.description.id,
+      clock: this.page.clock,
+      shown: this.page.rehearsed,
+    });
+    this.#endRehearsals();
     effect(() => {
       const failure = results.failure.value;
       if (failure?.trouble === "gone") untracked(() => void this.#watch.await(() => this.#follower.follow()));
@@ -54,6 +67,26 @@ export class Studio {
   // Whether the service does not respond.
   get gone() {
     return this.#watch.gone;
+  }
+
+  undo(): void {
+    if (this.rehearsal.steps.value.length > 0) this.rehearsal.undo();
+    else this.editor.undo();
+  }
+
+  // One is of the mission as it is.
+  #endRehearsals(): void {
+    let before = this.page.mission.value;
+    effect(() => {
+      const mission = this.page.mission.value;
+      if (before && mission && !asksTheSame(before, mission)) untracked(() => this.rehearsal.reset());
+      before = mission;
+    });
+    // What is to fall is chosen only while there is something to rehearse.
+    effect(() => {
+      if (this.rehearsal.available.value || this.editor.tool.peek() !== "rubble") return;
+      this.editor.tool.value = "move";
+    });
   }
 
   // After a plan was stopped.
@@ -92,4 +125,9 @@ export class Studio {
     else if (error.trouble === "missing") this.#follower.mapIsMissing();
     else if (error.trouble !== "stopped") this.page.notify("bad", `${prefix}${error.message}`);
   }
+}
+
+// A draft only follows the mouse.
+function rehearsable(judged: Judged | undefined): Plan | null {
+  return judged && judged.rough !== "draft" ? judged.plan : null;
 }

@@ -36,7 +36,7 @@ export function downloadMission(studio: Studio): void {
 }
 
 export async function copyLink(studio: Studio): Promise<void> {
-  const address = location.origin + location.pathname + (await fragmentOf(studio.query()));
+  const address = new URL(location.pathname, location.href).href + (await fragmentOf(studio.query()));
   if (address.length > longestLink) {
     const file = { label: "Save the mission as a file", act: () => downloadMission(studio) };
     const anyway = { label: "Copy it all the same", act: () => void copy(studio, address) };

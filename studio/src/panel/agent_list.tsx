@@ -44,7 +44,7 @@ interface TableProps {
 }
 
 function AgentTable({ page, studio, agents }: TableProps) {
-  const plan = page.results.plans.value.after?.plan;
+  const plan = page.played.value ?? undefined;
   const chosen = page.chosenAgent.value;
   return (
     <div class="agent-scroll">
@@ -124,7 +124,7 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
     const opens = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
     return (
       <>
-        <td>{time(at)}</td>
+        <td>{agent.lost ? "lost" : time(at)}</td>
         <td colSpan={2}>{opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}</td>
       </>
     );

@@ -1,5 +1,5 @@
 // The page: map, timeline over it, and the panel beside it (below it on a narrow screen).
-import { useComputed, useSignalEffect } from "@preact/signals";
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { useMemo, useRef } from "preact/hooks";
 import type { TabToken } from "../api/token";
 import { objectiveOf, valueOf } from "../domain/plan";
@@ -27,8 +27,12 @@ import { MapNotes } from "./map_notes";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
+import { type Asked, MishapMenu } from "./mishap_menu";
+import { dropRubble, mishapsAt } from "./mishaps";
 import { OverlayDialog } from "./overlay_dialog";
 import { Printed } from "./printed";
+import { RehearsalCaption, RehearsalResult } from "./rehearsal_result";
+import { Rehearse } from "./rehearse";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
 import { Search } from "./search";
@@ -56,9 +60,14 @@ export function App({ page, studio = null, token = null }: AppProps) {
         <Search page={page} show={(what) => view.current?.centerOn(what)} />
         {studio && <Invitation studio={studio} />}
         <MapNotes page={page} />
-        <HeadlineSection page={page} studio={studio} />
+        {studio && page.rehearsed.value ? (
+          <RehearsalResult studio={studio} />
+        ) : (
+          <HeadlineSection page={page} studio={studio} />
+        )}
+        {studio && <Rehearse studio={studio} />}
         <Removals page={page} studio={studio} />
-        <RemovedTable page={page} studio={studio} />
+        {!page.rehearsed.value && <RemovedTable page={page} studio={studio} />}
         <AgentList page={page} studio={studio} />
         {studio && <Choices studio={studio} />}
         <Layers page={page} studio={studio} />
@@ -97,6 +106,7 @@ interface MapAreaProps {
 }
 
 function MapArea({ page, studio, onView }: MapAreaProps) {
+  const asked = useSignal<Asked | null>(null);
   const scene = useComputed<Scene | null>(() => sceneOf(page, studio));
   const events = useMemo<SceneEvents>(
     () => ({
@@ -105,6 +115,12 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       hover: (obstacle) => (page.highlighted.value = obstacle),
       choose: (agent) => (page.chosenAgent.value = agent),
       draw: (tool, runs) => studio?.editor.draw(tool, runs),
+      drop: (at, done) => studio && dropRubble(studio, at, done),
+      ask: (what, at) => {
+        const isAny = studio !== null && mishapsAt(studio, what).length > 0;
+        asked.value = isAny ? { what, at } : null;
+        return isAny;
+      },
     }),
     [page, studio],
   );
@@ -113,7 +129,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   useSignalEffect(() => {
     if (page.sight.value) view.current?.bringIntoView(page.sight.value.what);
   });
-  const plan = page.results.plans.value.after?.plan;
+  const plan = page.played.value;
   const title = page.shown.value?.base.description.title;
   return (
     <section class="map-area" aria-label="Map">
@@ -124,11 +140,18 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
         {studio && <LostMapCard studio={studio} />}
         <GroundLegend page={page} />
         <Attribution page={page} />
+        {studio && <MishapMenu studio={studio} asked={asked} />}
       </div>
       <ObstacleCard page={page} studio={studio} marked={() => view.current?.marked() ?? null} />
+      {studio && <RehearsalCaption studio={studio} />}
       <div class="timeline-box">
         {plan && plan.agents.length > 0 && (
-          <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
+          <Timeline
+            plan={plan}
+            clock={page.clock}
+            formatTime={(time) => duration(time, page.units.value, true)}
+            moments={page.rehearsed.value?.moments}
+          />
         )}
       </div>
     </section>

@@ -7,7 +7,7 @@ import { IconButton } from "./controls";
 import { HelpDialog } from "./dialogs";
 import { Sign } from "./icons";
 
-const toolKeys: Record<string, Tool> = { m: "move", w: "wall", e: "erase" };
+const toolKeys: Record<string, Tool> = { m: "move", w: "wall", e: "erase", r: "rubble" };
 
 export function Header({ studio }: { studio: Studio | null }) {
   const [help, setHelp] = useState(false);
@@ -23,7 +23,7 @@ export function Header({ studio }: { studio: Studio | null }) {
       <h1>waybreaker</h1>
       {studio && (
         <div class="header-buttons" role="group" aria-label="Mission">
-          <IconButton icon="undo" label="Undo" disabled={!studio.editor.canUndo.value} onClick={() => studio.editor.undo()} />
+          <IconButton icon="undo" label="Undo" disabled={!studio.canUndo.value} onClick={() => studio.undo()} />
           <IconButton icon="redo" label="Redo" disabled={!studio.editor.canRedo.value} onClick={() => studio.editor.redo()} />
           <IconButton icon="link" label="Copy link to this mission" onClick={() => void copyLink(studio)} />
           <IconButton icon="help" label="Help" onClick={() => setHelp(true)} />
@@ -44,12 +44,12 @@ function onKey(event: KeyboardEvent, studio: Studio, openHelp: () => void): void
     if (event.altKey || (key !== "z" && key !== "y")) return;
     event.preventDefault();
     if (key === "y" || event.shiftKey) studio.editor.redo();
-    else studio.editor.undo();
+    else studio.undo();
     return;
   }
   if (event.altKey) return;
   const tool = toolKeys[key];
-  if (tool) studio.editor.tool.value = tool;
+  if (tool && (tool !== "rubble" || studio.rehearsal.available.value)) studio.editor.tool.value = tool;
   else if (key === "?") openHelp();
   else if (key === "/") document.getElementById("search")?.focus();
   else if (key === "escape") studio.page.selected.value = null;

@@ -4,7 +4,14 @@ import type { Studio } from "../mission/studio";
 import { Segmented } from "./controls";
 import type { IconName } from "./icons";
 
-const tools: { value: Tool; label: string; icon: IconName }[] = [
+interface ToolChoice {
+  value: Tool;
+  label: string;
+  icon: IconName;
+}
+
+const rubble: ToolChoice = { value: "rubble", label: "Rubble", icon: "rubble" };
+const tools: ToolChoice[] = [
   { value: "move", label: "Move", icon: "move" },
   { value: "wall", label: "Draw wall", icon: "wall" },
   { value: "erase", label: "Erase", icon: "erase" },
@@ -16,10 +23,16 @@ export function Tools({ studio }: { studio: Studio }) {
     <div class="tools">
       <Segmented
         legend="Tool"
-        choices={tools}
+        choices={isPlayed(studio) ? [...tools, rubble] : tools}
         value={studio.editor.tool.value}
         onChange={(tool) => (studio.editor.tool.value = tool)}
       />
     </div>
   );
+}
+
+// Whether rubble may fall: while the mission is played.
+function isPlayed({ page, rehearsal, editor }: Studio): boolean {
+  const isBegun = page.clock.time.value !== null || rehearsal.steps.value.length > 0 || editor.tool.value === "rubble";
+  return rehearsal.available.value && isBegun;
 }

@@ -69,6 +69,7 @@ function each(story: Story, time: number): string[] {
   return agents.flatMap((agent) => {
     const now = positionAt(agent, time);
     if (!now) return [];
+    if (agent.lost && now.state === "arrived") return [`${nameOf(agent)} is lost`];
     const verb = now.state === "waiting" ? story.verbAt(agent.id, time) : verbs[now.state];
     return [`${nameOf(agent)} ${verb}`];
   });

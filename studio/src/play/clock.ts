@@ -38,6 +38,13 @@ export class Clock {
     else if (this.time.value !== null && before > 0) this.time.value = (this.time.value / before) * duration;
   }
 
+  // A plan that goes on as the one before did until then.
+  goOn(time: number, duration: number): void {
+    this.pause();
+    this.duration.value = duration;
+    this.seek(time);
+  }
+
   play(): void {
     if (this.playing.value || this.duration.value <= 0) return;
     if (this.time.value === null || this.time.value >= this.duration.value) this.time.value = 0;

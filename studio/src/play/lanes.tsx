@@ -13,12 +13,13 @@ interface LanesProps {
   duration: number;
   clock: Clock;
   formatTime: (time: number) => string;
+  moments: readonly number[]; // when something went wrong
   onPoint: (told: string | null) => void; // a wait is pointed at
 }
 
 const names = { ground: "Ground", air: "Air" };
 
-export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProps) {
+export function Lanes({ story, duration, clock, formatTime, moments, onPoint }: LanesProps) {
   const { plan } = story;
   const share = (at: number): string => `${(100 * at) / duration}%`;
   const times = useRef<HTMLDivElement>(null);
@@ -61,6 +62,11 @@ export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProp
       >
         {bars}
         <div ref={times} class="lane-times">
+          <svg class="lane-now lane-news">
+            {moments.map((at) => (
+              <line key={at} x1={share(at)} x2={share(at)} y1="0" y2="100%" />
+            ))}
+          </svg>
           <Now clock={clock} share={share} />
         </div>
       </div>

@@ -37,7 +37,7 @@ function headingAt(path: Agent["path"], i: number): number {
   return i > 0 ? headingAt(path, i - 1) : 0;
 }
 
-export function positionAt(agent: Agent, t: number): Position | null {
+export function positionAt(agent: Pick<Agent, "path">, t: number): Position | null {
   const path = agent.path;
   if (path.length === 0) return null;
   const i = reached(path, t);
@@ -52,13 +52,20 @@ export function positionAt(agent: Agent, t: number): Position | null {
 }
 
 // The way travelled by time t, and the way still to go; both hold the position at t.
-export function splitAt(agent: Agent, t: number): { travelled: Point[]; ahead: Point[] } {
+export function splitAt(agent: Pick<Agent, "path">, t: number): { travelled: Point[]; ahead: Point[] } {
   const points = agent.path.map(([x, y]): Point => [x, y]);
   const now = positionAt(agent, t);
   if (!now) return { travelled: [], ahead: [] };
   const i = reached(agent.path, t);
   const here: Point = [now.x, now.y];
   return { travelled: [...points.slice(0, i + 1), here], ahead: [here, ...points.slice(i + 1)] };
+}
+
+// The way between two times.
+export function partOf(agent: Pick<Agent, "path">, from: number, until: number): Point[] {
+  const { path } = agent;
+  const ends = [positionAt(agent, from), positionAt(agent, until)].map((at): Point[] => (at ? [[at.x, at.y]] : []));
+  return [...ends[0]!, ...path.filter(([, , t]) => from < t && t < until).map(([x, y]): Point => [x, y]), ...ends[1]!];
 }
 
 // Stops on the way, each whole even where the path has points within it.

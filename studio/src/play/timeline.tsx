@@ -13,9 +13,10 @@ export interface TimelineProps {
   plan: Plan; // the one that is played
   clock: Clock;
   formatTime: (time: number) => string; // a time of the plan as people read it, with its unit
+  moments?: readonly number[] | undefined; // when something went wrong
 }
 
-export function Timeline({ plan, clock, formatTime }: TimelineProps) {
+export function Timeline({ plan, clock, formatTime, moments = [] }: TimelineProps) {
   const length = duration(plan);
   // A little less: rounded, the last step could lie beyond the end, and End would stop one short of it.
   const step = length / 400.000001;
@@ -45,7 +46,7 @@ export function Timeline({ plan, clock, formatTime }: TimelineProps) {
         </svg>
       </button>
       <div class="timeline-middle">
-        <Lanes story={story} duration={length} clock={clock} formatTime={formatTime} onPoint={setPointed} />
+        <Lanes story={story} duration={length} clock={clock} formatTime={formatTime} moments={moments} onPoint={setPointed} />
         <input
           class="timeline-scrubber"
           type="range"

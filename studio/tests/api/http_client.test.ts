@@ -2,6 +2,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { ServiceError } from "../../src/api/client";
 import { parseEvent } from "../../src/api/events";
 import { HttpClient } from "../../src/api/http_client";
+import { planOf } from "../domain/plans";
 import { missionFrom } from "../planning/fake_service";
 
 const asked: { url: string; init: RequestInit }[] = [];
@@ -179,4 +180,13 @@ it("takes a problem at the end of a stream, or none, for what it is", async () =
 
 it("puts the lines of an event together", () => {
   expect(parseEvent("event: plan\ndata: a\ndata: b\n: comment")).toEqual({ name: "plan", data: "a\nb" });
+});
+
+it("asks for a revision of a plan, and is answered with what came of it", async () => {
+  const answer = { status: "no_plan", reason: "no_plan", halts: [], plan: null };
+  answers = [json(answer), problem(422, "the plan was made for another map")];
+  const wanted = { plan: planOf({}), state: { format: "waybreaker-state/1" as const, sequence: 1, now: 2, agents: [], failed: [], found: [] } };
+  expect(await new HttpClient(token).revise("yard.map", wanted)).toEqual(answer);
+  expect([asked[0]!.url, asked[0]!.init.method, JSON.parse(String(asked[0]!.init.body))]).toEqual(["/api/v1/maps/yard.map/revise", "POST", wanted]);
+  expect((await trouble(new HttpClient(token).revise("yard.map", wanted))).message).toBe("The plan was made for another map.");
 });

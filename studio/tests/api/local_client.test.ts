@@ -10,12 +10,13 @@ function hosted(isThere: () => boolean = () => true): { client: LocalClient; fet
   const noWorker = () => {
     throw new Error("nothing is planned here");
   };
-  const client = new LocalClient(noWorker, new Promise(() => undefined), async (path) => {
+  const fetch = async (path: string) => {
     fetched.push(path);
     await new Promise((done) => setTimeout(done));
     if (!isThere()) throw new Error("no network");
     return new Response(JSON.stringify(path === "maps.json" ? { maps: [{ id: "city" }] } : city));
-  });
+  };
+  const client = new LocalClient(noWorker, new Promise(() => undefined), { fetched: fetch, hasFiles: true });
   return { client, fetched };
 }
 

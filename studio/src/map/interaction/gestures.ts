@@ -14,6 +14,7 @@ export interface GestureTarget {
   abandon(): void; // the drag or the stroke was not meant
   choose(): void; // what is in the middle
   escape(): void;
+  ask(at: Point | null): boolean; // what can be done with what is there, or in the middle; whether anything can
 }
 
 const clickSlack = 5; // pixels that a hand shakes
@@ -43,6 +44,10 @@ export class Gestures {
     on("mousedown", (event) => event.button === 1 && event.preventDefault()); // else the middle button scrolls
     on("wheel", (event) => this.#wheel(event));
     on("keydown", (event) => this.#key(event));
+    on("contextmenu", (event) => {
+      const byKey = event.button !== 2 && !(event as PointerEvent).pointerType;
+      if (target.ask(byKey ? null : this.#at(event))) event.preventDefault();
+    });
     on("dblclick", (event) => target.zoomBy(event.shiftKey ? 0.5 : 2, this.#at(event), true));
   }
 
@@ -146,6 +151,10 @@ export class Gestures {
       Enter: () => this.target.choose(),
       Escape: () => this.target.escape(),
     };
+    if (event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey)) {
+      if (this.target.ask(null)) event.preventDefault();
+      return;
+    }
     const action = actions[event.key];
     if (!action) return;
     event.preventDefault();

@@ -1,6 +1,7 @@
 // The stroke being drawn: of a wall, or of the eraser.
 import type { CellMap } from "../../domain/cell_map";
 import type { Point, Run } from "../../domain/geometry";
+import { rubbleRadius } from "../../domain/rubble";
 import type { Scene } from "../../domain/scene";
 import { type Frame, inMapPoints } from "../viewport/frame";
 import { blocked, strokeRuns } from "./stroke";
@@ -29,8 +30,24 @@ export class Sketch {
     this.#points = [];
   }
 
+  // What would fall where the pointer is.
+  #drawRubble({ context, camera, theme }: Frame, { cells }: Scene): void {
+    if (!this.#pointer) return;
+    context.beginPath();
+    context.arc(...this.#pointer, (rubbleRadius(cells) + 0.5) * camera.scale, 0, 2 * Math.PI);
+    context.setLineDash([4, 3]);
+    context.strokeStyle = theme.halo;
+    context.lineWidth = 4;
+    context.stroke();
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 2;
+    context.stroke();
+    context.setLineDash([]);
+  }
+
   draw(frame: Frame, scene: Scene): void {
     if (scene.tool === "move") return;
+    if (scene.tool === "rubble") return this.#drawRubble(frame, scene);
     const { context, theme } = frame;
     const colour = scene.tool === "wall" ? theme.obstacles.fixed.edge : theme.removed;
     if (this.#points.length > 0) {

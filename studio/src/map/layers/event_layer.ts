@@ -111,7 +111,22 @@ interface Badge {
   at: Point;
 }
 
-function breachBadges(frame: Frame, scene: Scene, layer: Layer, clear: readonly Point[]): Badge[] {
+// The breach whose badge, or whose place, is at a place on the map.
+export function breachAt(frame: Pick<Frame, "camera" | "view">, scene: Scene, markers: readonly Spot[], [x, y]: Point): number | null {
+  const top = scene.layers.at(-1);
+  if (!top) return null;
+  const clear = scene.agents.length <= mostKeptClear ? keptClear(markers) : [];
+  const isNear = ([px, py]: Point) => Math.hypot(px - x, py - y) <= 14;
+  const badge = breachBadges(frame, scene, top, clear).find(({ at, from }) => isNear(at) || isNear(from));
+  return badge?.removed.obstacle ?? null;
+}
+
+function breachBadges(
+  frame: Pick<Frame, "camera" | "view">,
+  scene: Scene,
+  layer: Layer,
+  clear: readonly Point[],
+): Badge[] {
   const order = breachOrder(layer.plan);
   const points = order.map(({ at }) => place(frame, at));
   const places = spread(points, clear, hasOpeners(scene) ? 38 : 28);

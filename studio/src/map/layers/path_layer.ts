@@ -11,7 +11,7 @@ import { colourOf, type Theme } from "../viewport/theme";
 import { clipped, lengthOf } from "./clip_line";
 import { StillPicture } from "./still_picture";
 
-interface LineStyle {
+export interface LineStyle {
   colour: (theme: Theme) => string;
   edge: ((theme: Theme) => string) | null; // a line below, wider
   width: number; // pixels
@@ -47,6 +47,10 @@ function teamStyle(layer: LayerName, look: AgentLook): LineStyle {
   return { colour, edge: halo, width: 4.5, dash: [[], [14, 6], [2, 7]][look.round % 3]! };
 }
 
+export function lineStyle(layer: LayerName, kind: Agent["kind"], look: AgentLook | undefined): LineStyle {
+  return look ? teamStyle(layer, look) : styles[layer][kind];
+}
+
 export const faint = 0.35; // of what is out of date
 
 const crowd = 30; // agents from which on playback shows only the last part of the ways travelled
@@ -74,7 +78,7 @@ function drawLayers(frame: Frame, scene: Scene): void {
       for (const kind of ["ground", "air"] as const) {
         for (const agent of layer.plan.agents.filter((one) => one.kind === kind)) {
           const look = scene.looks.get(agent.id);
-          const stroke = stroker(frame, look ? teamStyle(layer.name, look) : styles[layer.name][kind], seen, pixel);
+          const stroke = stroker(frame, lineStyle(layer.name, kind, look), seen, pixel);
           const { travelled, ahead } = splitAt(agent, time ?? Infinity);
           const strength = scene.old ? faint : 1;
           if (time !== null) stroke(ahead, lengthOf(travelled), 0.3 * strength);
@@ -100,15 +104,15 @@ function drawTails(frame: Frame, { looks, old }: Scene, plan: Plan, time: number
 }
 
 // What of the map is to be seen, and a little more.
-function begin({ context, camera, view }: Frame, pixel: number): Box {
+export function begin({ context, camera, view }: Frame, pixel: number): Box {
   context.lineJoin = "round";
   context.lineCap = "round";
   return grown(visibleBox(camera, view), 20 * pixel);
 }
 
-type Stroke = (line: Point[], offset: number, alpha: number) => void;
+export type Stroke = (line: Point[], offset: number, alpha: number) => void;
 
-function stroker({ context, theme }: Frame, style: LineStyle, seen: Box, pixel: number): Stroke {
+export function stroker({ context, theme }: Frame, style: LineStyle, seen: Box, pixel: number): Stroke {
   return (line, offset, alpha) => {
     context.globalAlpha = alpha;
     context.setLineDash(style.dash.map((length) => length * pixel));

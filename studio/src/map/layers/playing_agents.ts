@@ -36,8 +36,8 @@ const leastRadius = 6; // pixels, at which a vehicle can be seen
 export function drawTeam(frame: Frame, scene: Scene, plan: Plan, time: number): void {
   const isNamed = plan.agents.length <= mostNamed;
   const inOrder = (["ground", "air"] as const).flatMap((kind) => plan.agents.filter((agent) => agent.kind === kind));
-  const drawn = inOrder.flatMap(({ id, kind, ...agent }): Drawn[] => {
-    const now = positionAt({ id, kind, ...agent }, time);
+  const drawn = inOrder.flatMap(({ id, kind, path }): Drawn[] => {
+    const now = positionAt({ path }, time);
     const look = scene.looks.get(id);
     if (!now || !look) return [];
     const least = isNamed ? leastRadius + 3 : leastRadius;
@@ -49,6 +49,19 @@ export function drawTeam(frame: Frame, scene: Scene, plan: Plan, time: number): 
     else drawAircraft(frame, one);
   }
   drawNames(frame, drawn);
+}
+
+const reach = 20; // pixels
+
+// Who is at a place on the map.
+export function agentsAt(frame: Pick<Frame, "camera" | "view">, plan: Plan, time: number, [x, y]: Point): string[] {
+  const found = plan.agents.filter(({ kind, path }) => {
+    const now = positionAt({ path }, time);
+    if (!now) return false;
+    const at = place(frame, [now.x, now.y]);
+    return [at, kind === "air" ? lifted(at) : at].some(([ax, ay]) => Math.hypot(ax - x, ay - y) <= reach);
+  });
+  return found.map(({ id }) => id);
 }
 
 interface Drawn {

@@ -13,7 +13,7 @@ export interface Frame {
   still: boolean; // whether people asked for less motion
 }
 
-export function place(frame: Frame, point: Point): Point {
+export function place(frame: Pick<Frame, "camera" | "view">, point: Point): Point {
   return toScreen(frame.camera, frame.view, point);
 }
 

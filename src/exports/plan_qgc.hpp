@@ -1,0 +1,22 @@
+// The flight of each aircraft as a .plan file of QGroundControl, whose mission autopilots of the MAVLink protocol fly:
+// take-off, speed, a way point at each stop, the command of the breach and a stay for as long as it takes, landing.
+//
+// Heights are above the place of take-off. The plan's times know neither climb nor descent.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exports/mav_command.hpp"
+#include "exports/placed_plan.hpp"
+
+namespace waybreaker::exports {
+
+// Path and bytes of each file: `path` itself for one aircraft; for several its name with "-" and the aircraft's id
+// before the ending. Throws InputError if the map does not say where it lies on earth, no altitude is given, the plan
+// has no aircraft or was revised under way, or one name would stand for several files.
+std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& placed, const std::string& path,
+                                                          const MavAction& breach = {});
+
+}  // namespace waybreaker::exports
