@@ -33,7 +33,7 @@ bool is_out(const Position& position) {
 }
 
 bool drives_alone(const Report& report, std::span<const Position> positions) {
-    int vehicles = 0;
+    auto vehicles = std::ranges::count(report.state.joined, AgentKind::ground, &Agent::kind);
     for (std::size_t i = 0; i < positions.size(); ++i)
         vehicles += report.mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]) ? 1 : 0;
     return vehicles == 1;

@@ -7,10 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/check_report.hpp"
 #include "io/json_field.hpp"
 #include "io/mission_json.hpp"
-#include "io/plan_json.hpp"
 #include "io/state_json.hpp"
 #include "waybreaker/error.hpp"
 
@@ -94,12 +92,6 @@ RevisionRequest parse_revision_request(std::string_view bytes, const std::string
     return request;
 }
 
-io::MapFile map_of(const RevisionRequest& request, const io::MapFile& file) {
-    io::MapFile known = io::known_map(file, request.before.plan);
-    if (std::optional<Map> weighed = io::reweighed(request.before, known, {})) known.map = *std::move(weighed);
-    return known;
-}
-
 std::string revision_event(const RevisionHead& head, const Plan& before, const Plan& after, const Mission& left) {
     Json event = head_json(head);
     const std::optional<double> makespan = after.after.makespan;
@@ -110,11 +102,11 @@ std::string revision_event(const RevisionHead& head, const Plan& before, const P
     return event.dump();
 }
 
-std::string event_without_plan(const RevisionHead& head, const Revision& revision) {
+std::string event_without_plan(const RevisionHead& head, const Plan& none) {
     Json event = head_json(head);
-    if (revision.status == RevisionStatus::no_plan) event["reason"] = to_string(revision.plan.status);
+    if (none.revised->status == RevisionStatus::no_plan) event["reason"] = to_string(none.status);
     event["halts"] = Json::array();
-    for (const Halt& halt : revision.plan.revised->halts)
+    for (const Halt& halt : none.revised->halts)
         event["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", halt.by}});
     return event.dump();
 }
@@ -124,28 +116,19 @@ std::string with_plan(std::string event, const std::string& plan) {
     return event + ", \"plan\": " + (plan.empty() ? "null\n" : plan) + "}\n";
 }
 
-std::string revision_answer(const RevisionRequest& request, const io::MapFile& map, const Revision& revision) {
-    const io::PlanFile& before = request.before;
+std::string revision_answer(const RevisionRequest& request, const revision::RevisedFile& next) {
+    const Plan& before = request.before.plan;
     const State& state = request.state;
-    if (revision.status == RevisionStatus::unchanged) {
+    if (next.status == RevisionStatus::unchanged) {
         throw InputError("the plan knows report " + std::to_string(state.sequence) +
                          " already: number the next one upwards");
     }
-    const bool planned = revision.plan.status == PlanStatus::solved;
-    const int number = before.plan.revised ? before.plan.revised->number : 0;
+    const bool planned = next.plan.status == PlanStatus::solved;
+    const int number = before.revised ? before.revised->number : 0;
     const RevisionHead head{state.sequence, planned ? number + 1 : number, state.now,
-                            std::string(to_string(revision.status))};
-    if (!planned) return with_plan(event_without_plan(head, revision), {});
-    io::MissionDocument asked = before.asked;
-    asked.mission = revision.mission;
-    io::MapFile known = map;
-    known.map = revision.map;
-    const std::string plan = io::plan_json(revision.plan, {.map = known,
-                                                           .asked = asked,
-                                                           .connectivity = before.connectivity,
-                                                           .timing_fields = request.timing_fields,
-                                                           .image = before.image});
-    return with_plan(revision_event(head, before.plan, revision.plan, revision.mission), plan);
+                            std::string(to_string(next.status))};
+    if (!planned) return with_plan(event_without_plan(head, next.plan), {});
+    return with_plan(revision_event(head, before, next.plan, next.asked.mission), next.json(request.timing_fields));
 }
 
 }  // namespace waybreaker::request

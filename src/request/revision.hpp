@@ -12,9 +12,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/map_file.hpp"
 #include "io/plan_file.hpp"
-#include "waybreaker/revise.hpp"
+#include "revision/revised_file.hpp"
+#include "waybreaker/state.hpp"
 
 namespace waybreaker::request {
 
@@ -32,9 +32,6 @@ inline constexpr std::size_t max_revision_bytes = std::size_t{4} << 20;
 // Throws InputError that says where and what is wrong; `name` is what errors call the input.
 RevisionRequest parse_revision_request(std::string_view bytes, const std::string& name = "request");
 
-// The map that the plan was made on.
-io::MapFile map_of(const RevisionRequest& request, const io::MapFile& file);
-
 // What is revised by which report, and what came of it.
 struct RevisionHead {
     std::uint64_t sequence = 0;
@@ -46,12 +43,12 @@ struct RevisionHead {
 // What clients learn of a plan that follows another: makespan, who goes another way, which breaches are new.
 std::string revision_event(const RevisionHead& head, const Plan& before, const Plan& after, const Mission& left);
 // The same where there is none: why, and who must stop.
-std::string event_without_plan(const RevisionHead& head, const Revision& revision);
+std::string event_without_plan(const RevisionHead& head, const Plan& none);
 
 // An event with a plan, or null, as its last member; the plan's bytes are those of its document.
 std::string with_plan(std::string event, const std::string& plan);
 
 // What came of a request: its event with the new plan. Throws InputError if the plan knows that report already.
-std::string revision_answer(const RevisionRequest& request, const io::MapFile& map, const Revision& revision);
+std::string revision_answer(const RevisionRequest& request, const revision::RevisedFile& next);
 
 }  // namespace waybreaker::request

@@ -45,6 +45,13 @@ struct RevisedFile {
     std::string json(bool timing_fields) const { return io::plan_json(plan, context(timing_fields)); }
 };
 
+// The map that a plan was made on, from the one that its mission began on. Throws InputError, under the name of the
+// plan, if that was made for another.
+io::MapFile map_of(const io::PlanFile& plan, const io::MapFile& map, const std::string& plan_name);
+
+// The file of what comes after a plan. `map`: that it was made on; `digest`: of its bytes, if they are known.
+RevisedFile next_file(const io::PlanFile& before, io::MapFile map, Revision next, std::string digest = {});
+
 // Throws InputError, under the name of the plan if that was made for another map, or of the state if it cannot be one
 // of the plan.
 RevisedFile revise(Planner& planner, const Task& task, const Limits& limits);

@@ -135,8 +135,9 @@ void require_same_reading(const io::PlanFile& plan, const StoredMap& map) {
                         "plan-invalid");
 }
 
-void require_map(const io::PlanFile& plan, const StoredMap& map) try {
-    io::require_map_of(plan, map.file, "the plan");
+// The map that the plan was made on.
+io::MapFile map_of(const io::PlanFile& plan, const StoredMap& map) try {
+    return revision::map_of(plan, map.file, "the plan");
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "plan-invalid");
 }
@@ -254,14 +255,13 @@ std::string revise_answer(const SharedMap& map, const request::RevisionRequest& 
                           double seconds, const http::Worker& worker) try {
     const io::PlanFile& before = request.before;
     require_same_reading(before, *map);
-    require_map(before, *map);
     const Limits limits{.seconds = std::min(request.seconds, seconds), .stop = worker.stop};
     worker.set_time_limit(limits.seconds);
-    const io::MapFile known = request::map_of(request, map->file);
+    io::MapFile known = map_of(before, *map);
     PlannerPool::Loan planner = planners.borrow(map);
-    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, request.state,
-                                             request.reaction, before.asked.method, limits);
-    return request::revision_answer(request, known, revision);
+    Revision next = planner.revise(known.map, before.asked.mission, before.plan, request.state, request.reaction,
+                                   before.asked.method, limits);
+    return request::revision_answer(request, revision::next_file(before, std::move(known), std::move(next)));
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "report-unfit");
 }

@@ -6,7 +6,6 @@
 
 #include "http/problem.hpp"
 #include "io/plan_file.hpp"
-#include "io/plan_json.hpp"
 #include "io/sha256.hpp"
 #include "io/state_json.hpp"
 #include "request/revision.hpp"
@@ -57,27 +56,22 @@ ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::s
     limits.seconds = std::min(limits.seconds, task.seconds);
     worker.set_time_limit(limits.seconds);
     PlannerPool::Loan planner = task.planners.borrow(task.map);
-    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, state, task.request.reaction,
-                                             before.asked.method, limits);
-    const bool planned = revision.plan.status == PlanStatus::solved;
+    Revision made = planner.revise(known.map, before.asked.mission, before.plan, state, task.request.reaction,
+                                   before.asked.method, limits);
+    const revision::RevisedFile next =
+        revision::next_file(before, std::move(known), std::move(made), io::sha256_digest(held.plan));
+    const bool planned = next.plan.status == PlanStatus::solved;
     ReportRecord record{.sequence = report.sequence,
                         .revision = planned ? held.revision + 1 : held.revision,
                         .now = report.now,
-                        .status = std::string(to_string(revision.status)),
+                        .status = std::string(to_string(next.status)),
                         .state = io::state_json(report).dump()};
     if (!planned) {
-        record.event = request::event_without_plan(head_of(record), revision);
+        record.event = request::event_without_plan(head_of(record), next.plan);
         return record;
     }
-    io::MissionDocument asked = before.asked;
-    asked.mission = revision.mission;
-    known.map = revision.map;
-    record.plan = io::plan_json(revision.plan, {.map = known,
-                                                .asked = asked,
-                                                .connectivity = before.connectivity,
-                                                .timing_fields = task.request.plan.timing_fields,
-                                                .supersedes = io::sha256_digest(held.plan)});
-    record.event = request::revision_event(head_of(record), before.plan, revision.plan, revision.mission);
+    record.plan = next.json(task.request.plan.timing_fields);
+    record.event = request::revision_event(head_of(record), before.plan, next.plan, next.asked.mission);
     return record;
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "report-unfit");

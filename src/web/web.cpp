@@ -16,9 +16,11 @@
 #include "io/sha256.hpp"
 #include "request/map_edits.hpp"
 #include "request/plan_request.hpp"
+#include "request/revision.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/planner.hpp"
+#include "waybreaker/revise.hpp"
 #include "web/export.hpp"
 
 // From the page: a better plan or bound is known.
@@ -107,6 +109,17 @@ std::string plan_text(const io::DocumentedMap& map, const request::PlanRequest& 
         {.map = file, .asked = made.asked, .connectivity = map.connectivity, .timing_fields = asked.timing_fields});
 }
 
+// What comes of a plan, of the map, after what has happened to it.
+std::string revision_text(const io::DocumentedMap& map, const request::RevisionRequest& asked) {
+    const io::PlanFile& before = asked.before;
+    io::require_connectivity(before, map.connectivity, "the plan");
+    io::MapFile known = revision::map_of(before, map.file, "the plan");
+    const Limits limits{.seconds = std::min(asked.seconds, most_seconds)};
+    Revision next = revise(state().planner, known.map, before.asked.mission, before.plan, asked.state, asked.reaction,
+                           before.asked.method, limits);
+    return request::revision_answer(asked, revision::next_file(before, std::move(known), std::move(next)));
+}
+
 }  // namespace
 }  // namespace waybreaker::web
 
@@ -157,6 +170,12 @@ EXPORTED(plan) bool waybreaker_web_plan(int map, const char* asked, std::size_t 
     return answered([&] {
         const request::PlanRequest wanted = request::parse_plan_request({asked, size});
         return web::plan_text(web::map_called(map), wanted, wanted.options);
+    });
+}
+
+EXPORTED(revise) bool waybreaker_web_revise(int map, const char* asked, std::size_t size) {
+    return answered([&] {
+        return web::revision_text(web::map_called(map), request::parse_revision_request({asked, size}));
     });
 }
 

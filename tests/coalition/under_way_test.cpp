@@ -93,10 +93,26 @@ RC_GTEST_PROP(TeamsUnderWay, AnOpeningAtZeroIsAMapWithoutTheObstacle, ()) {
     RC_ASSERT(plan.bound == same.bound);
 }
 
+// Where timing is ignored nobody waits for what opens by itself, whenever that is.
+RC_GTEST_PROP(TeamsUnderWay, WhenAnObstacleOpensIsIgnoredWithTheTiming, ()) {
+    Team team = any_team();
+    RC_PRE(!team.map.obstacles().empty());
+    team.mission.rules.timing = Timing::ignore;
+    const ObstacleId id{std::uint32_t(*number(1, int(team.map.obstacles().size())))};
+    team.mission.rules.opened = {{id, 0}};
+    const Plan early = Planner().plan(team.map, team.mission);
+    team.mission.rules.opened = {{id, after_all}};
+    const Plan late = Planner().plan(team.map, team.mission);
+    RC_ASSERT(late.status == early.status);
+    RC_ASSERT(plan_faults(team.map, team.mission, late) == "");
+    RC_ASSERT(reached(team.mission, late) == reached(team.mission, early));
+}
+
 // Where a plan is proven to be the best, none is better with an obstacle that opens too late, or later.
 RC_GTEST_PROP(TeamsUnderWay, ALateOpeningIsNeverBetter, ()) {
     Team team = any_team();
     RC_PRE(!team.map.obstacles().empty());
+    team.mission.rules.timing = Timing::enforce;
     const ObstacleId id{std::uint32_t(*number(1, int(team.map.obstacles().size())))};
     Team standing = team;
     standing.mission.rules.protect.push_back(id);

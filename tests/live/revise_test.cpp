@@ -134,6 +134,28 @@ RC_GTEST_PROP(Revise, AfterAnyNewsTheRestIsValid, ()) {
     }
 }
 
+TEST(Revise, WhatHasToGoIsTriedAgainAsOftenAsItMay) {
+    const Map map = Map::from_rows({"..A..", "..A..", "....."});
+    Mission mission = ground_and_air({0, 0}, {4, 0});
+    mission.rules.breach_time.per_obstacle = 0.5;
+    mission.rules.removals = 1;
+    mission.rules.force = {{1}};
+    for (const int retries : {0, 1}) {
+        mission.rules.retries = retries;
+        Planner planner;
+        const Plan plan = planner.plan(map, mission);
+        ASSERT_EQ(plan.breaches.size(), 1U);
+        const State state{.sequence = 1,
+                          .now = plan.breaches[0].cleared_at,
+                          .failed = {{plan.breaches[0].obstacle, plan.breaches[0].cleared_at}}};
+        const Revision next = revise(planner, map, mission, plan, state);
+        EXPECT_EQ(next.status, RevisionStatus::revised) << "there is a way around";
+        EXPECT_EQ(next.plan.breaches.size(), std::size_t(retries));
+        EXPECT_EQ(next.mission.rules.force.size(), std::size_t(retries));
+        EXPECT_EQ(next.mission.rules.protect.size(), std::size_t(1 - retries));
+    }
+}
+
 TEST(Revise, RefusesStatesThatCannotBe) {
     const Map map = Map::from_rows({"..A..", "..A..", "..A.."});
     const Mission mission = ground_and_air({0, 1}, {4, 1});

@@ -11,52 +11,16 @@
 #include <vector>
 
 #include "input_error.hpp"
-#include "random_map.hpp"
-#include "vehicle.hpp"
+#include "live/underway.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
 
-struct Rehearsable {
-    Map map;
-    Mission mission;
-    Plan plan = {};
-};
-
-Mission any_mission(const PlainMap& plain, int most_vehicles) {
-    Mission mission;
-    const int vehicles = *number(1, most_vehicles);
-    for (int i = 0; i < vehicles; ++i) {
-        Agent rover = vehicle("rover" + std::to_string(i), any_free_cell(plain), any_free_cell(plain));
-        rover.speed = *rc::gen::element(0.5, 1.0, 2.0);
-        rover.ready_at = *rc::gen::element(0.0, 0.0, 3.0);
-        mission.agents.push_back(rover);
-    }
-    const int aircraft_count = *number(0, 2);
-    for (int i = 0; i < aircraft_count; ++i) {
-        mission.agents.push_back(
-            aircraft("heli" + std::to_string(i), any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 4.0)));
-    }
-    Rules& rules = mission.rules;
-    rules.removals = *number(0, 3);
-    rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
-    rules.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 2.5, 8.0);
-    rules.retries = *number(0, 2);
-    return mission;
-}
+using Rehearsable = Underway;
 
 Rehearsable any_rehearsable(int side, int most_vehicles) {
-    const PlainMap plain = *random_map(side, side);
-    Rehearsable drawn{Map(plain.grid()), any_mission(plain, most_vehicles)};
-    try {
-        validate(drawn.map, drawn.mission);
-    } catch (const InputError&) {
-        RC_DISCARD("two stand too near");
-    }
-    drawn.plan = Planner().plan(drawn.map, drawn.mission);
-    RC_PRE(drawn.plan.status == PlanStatus::solved);
-    return drawn;
+    return any_planned(side, most_vehicles, 2);
 }
 
 RehearsalOptions any_options() {

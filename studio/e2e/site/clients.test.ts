@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { Client, ServiceError } from "../../src/api/client";
-import type { MissionDocument, PlanRequest } from "../../src/api/documents";
+import type { MissionDocument, PlanRequest, RevisionRequest } from "../../src/api/documents";
 import { HttpClient } from "../../src/api/http_client";
 import { LocalClient } from "../../src/api/local_client";
 import type { Port } from "../../src/api/planner_workers";
@@ -119,9 +119,24 @@ describe("both clients", () => {
     }
   });
 
+  it("revise a plan alike, and refuse what cannot be", async () => {
+    const plan = await clients.http.plan(city, request);
+    const [first] = plan.removed;
+    const state = { format: "waybreaker-state/1", sequence: 1, now: first!.cleared_at } as const;
+    const failed = [{ obstacle: first!.obstacle, at: first!.cleared_at }];
+    const asked = (more: object) => ({ plan, state: { ...state, ...more }, no_timing: true }) as unknown as RevisionRequest;
+    const [http, local] = await both((client) => client.revise(city, asked({ failed })));
+    expect(http.status).toBe("revised");
+    expect(local).toEqual(http);
+    const wrong = asked({ agents: [{ id: "nobody", passed: 0 }] });
+    const refusals = await both((client) => client.revise(city, wrong).catch((error: ServiceError) => error.message));
+    expect(refusals[0]).toContain("nobody");
+    expect(refusals[1]).toBe(refusals[0]);
+  });
+
   it("check a plan alike, a good one and a bad one", async () => {
     const plan = await clients.local.plan(city, request);
-    const wrong = { ...plan, agents: plan.agents.map((agent) => ({ ...agent, path: agent.path.slice(0, 1) })) };
+    const wrong = { ...plan, orders: [], agents: plan.agents.map((agent) => ({ ...agent, path: agent.path.slice(0, 1) })) };
     for (const one of [plan, wrong]) {
       const [http, local] = await both((client) => client.check(city, one));
       expect(local).toEqual(http);

@@ -8,7 +8,6 @@ import type { MapEntry, PlanRequest, RevisionAnswer, RevisionRequest } from "./d
 
 export interface Client {
   readonly imports: boolean; // whether it makes maps of map data, and lays data over maps
-  readonly revises: boolean; // whether it plans the rest of a mission that is under way
 
   maps(signal?: AbortSignal): Promise<MapEntry[]>;
   map(id: string, signal?: AbortSignal): Promise<MapDescription>;
@@ -27,7 +26,6 @@ export interface Client {
   hasFile(id: string): boolean;
   file(id: string): Promise<{ bytes: Blob; name: string }>;
 
-  // Where `revises` says so.
   revise(id: string, request: RevisionRequest, signal?: AbortSignal): Promise<RevisionAnswer>;
 
   // Where `imports` says so.

@@ -38,7 +38,6 @@ const longestWait = 5; // seconds
 
 export class HttpClient implements Client {
   readonly imports = true;
-  readonly revises = true;
 
   constructor(
     private readonly token: TokenSource,

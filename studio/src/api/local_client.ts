@@ -13,7 +13,7 @@ import {
   stopped,
   tooMany,
 } from "./client";
-import type { MapEntry, PlanRequest } from "./documents";
+import type { MapEntry, PlanRequest, RevisionAnswer, RevisionRequest } from "./documents";
 import { type Port, PlannerWorkers } from "./planner_workers";
 import { pngOf } from "./png";
 
@@ -49,7 +49,6 @@ const types: Record<ExportFormat, string> = {
 
 export class LocalClient implements Client {
   readonly imports = false;
-  readonly revises = false; // until the planner in the page does
   readonly #held = new Map<string, Held>(); // the one used last at the end
   readonly #coming = new Map<string, Promise<Held>>(); // by those who asked first, for all who ask meanwhile
   readonly #listed = new Set<string>();
@@ -103,6 +102,12 @@ export class LocalClient implements Client {
     return JSON.parse(await this.#workers.ask(call, { needs: id, signal, onProgress })) as Plan;
   }
 
+  async revise(id: string, request: RevisionRequest, signal?: AbortSignal): Promise<RevisionAnswer> {
+    await this.#load(id, signal);
+    const call = { what: "revise", map: id, request: JSON.stringify(request) } as const;
+    return JSON.parse(await this.#workers.ask(call, { needs: id, signal })) as RevisionAnswer;
+  }
+
   async check(id: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport> {
     await this.#load(id, signal);
     const call = { what: "check", map: id, plan: JSON.stringify(plan) } as const;
@@ -128,9 +133,6 @@ export class LocalClient implements Client {
     return { bytes: await (await this.folder.fetched(`maps/${id}`)).blob(), name: id };
   }
 
-  revise(): Promise<never> {
-    return Promise.reject(new ServiceError("refused", `Plans are revised by the service: ${needsService}`));
-  }
 
   sendSource(): Promise<never> {
     return noService();

@@ -53,10 +53,10 @@ export class Rehearsal {
   #control: AbortController | null = null;
 
   constructor(
-    private readonly client: Pick<Client, "revises" | "revise" | "check">,
+    private readonly client: Pick<Client, "revise" | "check">,
     private readonly around: Around,
   ) {
-    this.available = computed(() => client.revises && isRehearsable(around.plan.value));
+    this.available = computed(() => isRehearsable(around.plan.value));
   }
 
   // Where playback stands. Where it does not: when the last news was known, or at the beginning.

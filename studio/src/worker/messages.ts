@@ -6,6 +6,7 @@ export type Call =
   | { what: "edit"; of: string; edits: string }
   | { what: "close"; map: string }
   | { what: "plan"; map: string; request: string }
+  | { what: "revise"; map: string; request: string }
   | { what: "check"; map: string; plan: string }
   | { what: "export"; map: string; plan: string; format: string };
 

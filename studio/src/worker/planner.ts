@@ -19,6 +19,7 @@ interface Exports {
   edit(map: number, edits: Place, size: number): number;
   close_map(map: number): void;
   plan(map: number, request: Place, size: number): number;
+  revise(map: number, request: Place, size: number): number;
   check(map: number, plan: Place, size: number): number;
   export_plan(map: number, plan: Place, size: number, format: Place, formatSize: number): number;
 }
@@ -54,6 +55,10 @@ export class Planner {
       case "plan": {
         const map = this.#number(call.map);
         return this.#answer(call.request, (place, size) => wasm.plan(map, place, size));
+      }
+      case "revise": {
+        const map = this.#number(call.map);
+        return this.#answer(call.request, (place, size) => wasm.revise(map, place, size));
       }
       case "check": {
         const map = this.#number(call.map);

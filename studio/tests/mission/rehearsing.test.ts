@@ -8,7 +8,6 @@ import { planOf } from "../domain/plans";
 import { FakeClient } from "./fake_client";
 
 class RevisingClient extends FakeClient {
-  readonly revises: boolean = true;
   readonly revised: { map: string; request: RevisionRequest }[] = [];
 
   revise = async (map: string, request: RevisionRequest): Promise<RevisionAnswer> => {
@@ -64,13 +63,4 @@ it("ends when the mission is another, not when it is shown otherwise", async () 
   studio.editor.change((mission) => ({ ...mission, removals: 1 }));
   await settle();
   expect([studio.rehearsal.steps.value.length, studio.page.rehearsed.value]).toEqual([0, null]);
-});
-
-it("is not offered where nobody revises", async () => {
-  await started(new (class extends RevisingClient {
-    override readonly revises = false;
-  })());
-  expect(studio.rehearsal.available.value).toBe(false);
-  await studio.rehearsal.happens(fails);
-  expect(client.revised).toEqual([]);
 });

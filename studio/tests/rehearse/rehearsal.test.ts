@@ -12,7 +12,6 @@ import { stepWords, sumWords } from "../../src/rehearse/words";
 import { roundTheWall, yard } from "./yard";
 
 class Reviser {
-  readonly revises = true;
   readonly asked: { map: string; request: RevisionRequest }[] = [];
   readonly answers: ((request: RevisionRequest) => Promise<RevisionAnswer>)[] = [];
 
