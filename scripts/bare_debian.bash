@@ -35,6 +35,7 @@ make_bare_debian() {
         exit 2
     fi
     root=$(mktemp -d "$1/bare-debian-XXXXXX")
+    chmod 755 "$root" # for its users, as any root folder
     trap leave EXIT
     trap 'exit 1' INT TERM
 

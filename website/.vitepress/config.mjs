@@ -112,7 +112,7 @@ export default defineConfig({
     theme: { light: "github-light-high-contrast", dark: "github-dark-high-contrast" },
     codeTransformers: [colourWhole],
     image: { lazyLoading: true },
-    languageAlias: { console: "shellscript", mapfile: "text", pycon: "python" },
+    languageAlias: { console: "shellscript", mapfile: "text", mjs: "javascript", pycon: "python" },
   },
   vite: {
     publicDir: `${root}website/public`,
