@@ -1,7 +1,8 @@
 // Path through: the cheapest way of one agent that breaks by itself what is in its way. "Which wall do I break?"
 //
-//     PathThrough way = planner.path_through(map, {1, 1}, {60, 40}, [](const Obstacle& wall) { return 2.0 * wall.cells;
-//     }); if (!way.broken.empty()) attack(way.broken.front().obstacle);
+//     const auto cost = [](const Obstacle& wall) { return 2.0 * wall.cells; };
+//     const PathThrough way = planner.path_through(map, {1, 1}, {60, 40}, cost);
+//     if (!way.broken.empty()) attack(way.broken.front().obstacle);
 #pragma once
 
 #include <functional>
@@ -23,7 +24,7 @@ struct PathThroughOptions {
     Body body = {};         // with corners `none`
     int most = any_number;  // how many obstacles it may break, >= 0: the fewer, the sooner the search ends
     double weight = 1;      // above 1: any way that costs at most so many times the least, found sooner
-    Limits limits = {};     // of a single search
+    Limits limits = {};     // its seconds are those of the whole call; only single searches look at the rest
 };
 
 // An obstacle on the way, and where the agent stands to break it: it touches the obstacle there for the first time.
@@ -34,9 +35,10 @@ struct Broken {
 };
 
 struct PathThrough {
-    // `not_found`: as CrossingResult::status.
+    // `solved`: to its end. Where a limit ended the search, `path` is the best way known, or empty. `not_found`: as of
+    // CrossingResult::status.
     PlanStatus status = PlanStatus::no_plan;
-    std::vector<Point> path;     // turning points from start to goal; empty unless there is a way
+    std::vector<Point> path;     // turning points from start to goal
     std::vector<Broken> broken;  // in the order of the path, each once
     double length = 0;           // cells
     double cost = 0;             // cells: the length, and what is broken

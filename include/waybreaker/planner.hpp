@@ -89,8 +89,8 @@ class Planner {
                                    const Limits& limits = {});
 
     // The cheapest way of one agent that breaks by itself what is in its way, one obstacle after the other: no mission,
-    // no aircraft, one search. Proven, unless the weight is above 1 or a limit ends it. No way where start or goal lie
-    // in an obstacle. Throws InputError where a cost is below 0 or no number, and on options out of range.
+    // no aircraft. PathThrough::bound says for which body it is proven. No way where start or goal lie in an obstacle.
+    // Throws InputError where a cost is below 0 or no number, and on options out of range.
     PathThrough path_through(const Map& map, Cell start, Cell goal, const BreakingCost& cost,
                              const PathThroughOptions& options = {});
 

@@ -51,11 +51,12 @@ bool square_stands_for(const Body& body);
 // The shortest ground path, by the trip's planner, on the map without some obstacles. Where the optimal one does not
 // come in half the time that is left: Theta*'s. A disc that the square does not stand for drives the shortest of the
 // paths that are known to it, Theta*'s among them; no path where none can be shorter than so many cells. The same set
-// always gives the same path, however it came to be tried.
+// always gives the same path.
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
              double shorter_than = std::numeric_limits<double>::infinity());
-// The same, of a set that a crossing search has found together with its path in so many seconds: where that is the one,
-// it is not looked for again.
+// The same, of a set that a crossing search has found together with its path in so many seconds: for a point and a
+// square that path is taken. Of equally short ones it may be another than that of the search above, and the disc within
+// the square may then shorten it to another length.
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
              double seconds, double shorter_than = std::numeric_limits<double>::infinity());
 

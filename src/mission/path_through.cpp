@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
 #include "model/timeline.hpp"
 #include "waybreaker/error.hpp"
@@ -57,6 +58,7 @@ PathThrough path_through(CrossingSearcher& searcher, const Map& map, Cell start,
         costs.back() = 0;
         stay.push_back(obstacle.id);
     }
+    const Deadline deadline(options.limits.seconds);
     const int most = std::min(options.most, int(map.obstacles().size()));
     CrossingOptions asked{
         .body = options.body, .protect = stay, .prices = costs, .weight = options.weight, .limits = options.limits};
@@ -67,6 +69,7 @@ PathThrough path_through(CrossingSearcher& searcher, const Map& map, Cell start,
         soon.weight = std::max(options.weight, weight_of_few);
         known = searcher.find(map, start, goal, soon).best;
         if (!known.path.empty()) asked.length_limit = known.cost * (1 + 1e-9);
+        asked.limits.seconds = deadline.left();
     }
     asked.crossings = most;
     const CrossingResult found = searcher.find(map, start, goal, asked);

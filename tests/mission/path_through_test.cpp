@@ -160,12 +160,25 @@ TEST(PathThrough, BreaksNothingThatCostsInfinitelyMuch) {
     EXPECT_EQ(Planner().path_through(map, {0, 1}, {4, 1}, never).status, PlanStatus::no_plan);
 }
 
-TEST(PathThrough, RefusesACostBelowZero) {
+TEST(PathThrough, SaysWhereALimitEndsIt) {
+    const Map map = Map::from_rows({".A.B.C.D.", ".A.B.C.D.", ".A.B.C.D."});
+    const auto one = [](const Obstacle&) { return 1.0; };
+    const PathThrough way = Planner().path_through(map, {0, 1}, {8, 1}, one, {.limits = {.expansions = 0}});
+    EXPECT_EQ(way.status, PlanStatus::limit_reached);
+    EXPECT_TRUE(way.path.empty());
+    EXPECT_LE(way.bound, 12);
+    EXPECT_EQ(Planner().path_through(map, {0, 1}, {8, 1}, one).cost, 12);
+}
+
+TEST(PathThrough, RefusesWhatIsOutOfRange) {
     const Map map = Map::from_rows({"..A..", "..A..", "..A.."});
     for (const double wrong : {-1.0, std::nan("")}) {
         EXPECT_THROW((void)Planner().path_through(map, {0, 1}, {4, 1}, [=](const Obstacle&) { return wrong; }),
                      InputError);
     }
+    const auto one = [](const Obstacle&) { return 1.0; };
+    EXPECT_THROW((void)Planner().path_through(map, {0, 1}, {4, 1}, one, {.most = -1}), InputError);
+    EXPECT_THROW((void)Planner().path_through(map, {0, 1}, {4, 1}, one, {.weight = 0.5}), InputError);
 }
 
 }  // namespace

@@ -133,7 +133,6 @@ export class LocalClient implements Client {
     return { bytes: await (await this.folder.fetched(`maps/${id}`)).blob(), name: id };
   }
 
-
   sendSource(): Promise<never> {
     return noService();
   }
