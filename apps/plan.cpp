@@ -255,8 +255,6 @@ void require_failures_can_be_planned(const PlanOptions& options, const Mission& 
     const char* option = options.plan_b ? "--plan-b" : "--robust";
     if (mission.rules.timing == Timing::ignore)
         throw InputError(fmt::format("{} needs --timing enforce: where timing is ignored no breach fails", option));
-    if (options.robust.share && mission.is_team())
-        throw InputError("--robust is for missions of one ground agent: of several, no other plans are evaluated");
 }
 
 Plan planned_for_failures(const io::MapFile& file, const io::MissionDocument& asked, double seconds, Plan plan) {

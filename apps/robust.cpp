@@ -28,7 +28,7 @@ std::string report_of(const std::vector<Rehearsal>& rehearsals, std::size_t chos
     const std::string runs = fmt::format("{} rehearsals", options.rehearsal.runs);
     if (rehearsals.size() == 1) return fmt::format("no other plan {} was evaluated; in {}: {}\n", within, runs, best);
     std::string text = fmt::format("of {} plans {} this one is best in {}: {}", rehearsals.size(), within, runs, best);
-    if (chosen != 0) text += fmt::format("; the fastest as planned: {}", figures(rehearsals.front()));
+    if (chosen != 0) text += fmt::format("; the plan that it replaces: {}", figures(rehearsals.front()));
     return text + "\n";
 }
 
@@ -45,8 +45,8 @@ void add_robust_options(CLI::App& command, RobustOptions& options) {
         .add_option_function<std::string>(
             "--robust", read,
             "Of the plans that were evaluated and are at most that much worse than the best one, take the one that "
-            "rehearses best: the most missions arrive, then the mean makespan is the least. For one ground agent; "
-            "takes time beyond --time-limit")
+            "rehearses best: the most missions arrive, then the mean makespan is the least. Takes time beyond "
+            "--time-limit")
         ->type_name("SHARE");
     for (CLI::Option* draw : add_draws(command, options.rehearsal)) draw->needs("--robust");
 }

@@ -22,7 +22,7 @@ struct RobustPlan {
     Plan plan;
     std::string report;  // a line for a person
 };
-// REQUIRES: a share is given; one ground agent, and timing enforced.
+// REQUIRES: a share is given, and timing enforced.
 RobustPlan robust_plan(const io::MapFile& map, const io::MissionDocument& asked, const RobustOptions& options);
 
 }  // namespace waybreaker::apps

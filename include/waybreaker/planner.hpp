@@ -49,6 +49,8 @@ class PlanningJob {
     std::unique_ptr<Work> work_;
 };
 
+struct Evaluated;  // src/mission/alternatives.hpp
+
 class Planner {
   public:
     Planner();
@@ -83,8 +85,9 @@ class Planner {
                             const Limits& limits = {});
 
     // The plan, first, and the other choices that were evaluated on the way to it and whose objective is above its own
-    // by no more than that share of it, 0 to 1: other sets of removals, or none. The better first; nothing is evaluated
-    // for this alone, and of several ground agents there is the plan only. Not explained, but for the plan.
+    // by no more than that share of it, 0 to 1: other sets of removals, or none. The better first. No set is evaluated
+    // for this alone; several ground agents are planned past each other for each, after the plan, while limits.seconds
+    // last. Not explained, but for the plan.
     std::vector<Plan> alternatives(const Map& map, const Mission& mission, double share, const Method& method = {},
                                    const Limits& limits = {});
 
@@ -111,10 +114,9 @@ class Planner {
     // The plan, and alternatives where a share is given.
     std::vector<Plan> plans(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                             std::optional<double> share);
-    // Of a valid mission without idle aircraft. Appends to `evaluated` what the plan was chosen from, of one ground
-    // agent with aircraft.
+    // Of a valid mission without idle aircraft. Appends to `evaluated` what the plan was chosen from.
     Plan plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                     std::vector<Plan>* evaluated = nullptr);
+                     Evaluated* evaluated = nullptr);
     std::vector<Plan> front_of_active(const Map& map, const Mission& mission, const Method& method,
                                       const Limits& limits);
 

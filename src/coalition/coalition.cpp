@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -45,9 +46,16 @@ class Planning {
         plan_collision_free(problem_, interrupts_, evaluation.drafts(), most, improved, plan_);
         // Last, so that the plan does not depend on whether it is asked for.
         if (choice.proves_bound && !plan_.proven && plan_.status == SearchStatus::found) prove_bound();
+        if (choice.share) drafts_ = std::move(evaluation).take_drafts();
         return std::move(plan_);
     }
 
+    // What was evaluated, where a share is given.
+    std::vector<Draft> take_drafts() { return std::move(drafts_); }
+    // Of any planning of this mission.
+    std::vector<CoalitionPlan> alternatives(std::vector<Draft> drafts, double share, const CoalitionPlan& plan) const {
+        return plan_alternatives(problem_, interrupts_, std::move(drafts), share, plan);
+    }
     int spare_removals() const { return problem_.spare_removals(); }
     // No plan that may remove only so many beside what it must, fewer than this one may, has a smaller objective.
     double bound_with(std::size_t removals) const { return removals < bounds_.size() ? bounds_[removals] : 0; }
@@ -157,7 +165,8 @@ class Planning {
     Searcher& theta_;
     Workers workers_;
     std::optional<double> reached_alone_;  // by the best set, collisions aside
-    std::vector<double> bounds_;           // of plans that may remove less, by how much
+    std::vector<Draft> drafts_;
+    std::vector<double> bounds_;  // of plans that may remove less, by how much
     CoalitionPlan plan_;
 };
 
@@ -196,10 +205,16 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choic
                              const std::function<void(double objective, double bound)>& improved) {
     Planning planning(map, mission, interrupts, crossing, theta);
     CoalitionPlan first = planning.run(choice, improved);
+    std::vector<Draft> drafts = planning.take_drafts();
+    const auto with_alternatives = [&](CoalitionPlan plan) {
+        if (choice.share && plan.status == SearchStatus::found)
+            plan.alternatives = planning.alternatives(std::move(drafts), *choice.share, plan);
+        return plan;
+    };
     const bool tries = fewer == Fewer::tried && choice.selecting == Selecting::exact &&
                        !interrupts.good_enough(first.objective, first.bound) &&
                        (std::isinf(interrupts.deadline.left()) || planning.lost_on_others());
-    if (!tries || first.status == SearchStatus::no_path) return first;
+    if (!tries || first.status == SearchStatus::no_path) return with_alternatives(std::move(first));
     const double bound = first.bound;
     double reported = first.objective;
     const auto tell = [&](double objective, double) {
@@ -209,8 +224,11 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choic
         Mission other = mission;
         other.rules.removals = removals;
         other.rules.force = forced;
-        const Choice same{removals > 0 ? Selecting::exact : Selecting::none};
-        return Planning(map, other, interrupts, crossing, theta).run(same, tell);
+        const Choice same{.selecting = removals > 0 ? Selecting::exact : Selecting::none, .share = choice.share};
+        Planning under_others(map, other, interrupts, crossing, theta);
+        CoalitionPlan made = under_others.run(same, tell);
+        std::ranges::move(under_others.take_drafts(), std::back_inserter(drafts));
+        return made;
     });
     // From the fewest on: who may remove less takes the same steps, and leaves out the last.
     const int least = int(mission.rules.force.size());
@@ -220,10 +238,10 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choic
     }
     again.take(first);
     CoalitionPlan best = again.best();
-    if (std::isinf(best.objective)) return first;
+    if (std::isinf(best.objective)) return with_alternatives(std::move(first));
     best.bound = std::min(bound, best.objective);
     best.limited = best.limited || first.limited;
-    return best;
+    return with_alternatives(std::move(best));
 }
 
 }  // namespace waybreaker::coalition

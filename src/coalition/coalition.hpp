@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "coalition/evaluation.hpp"
@@ -20,6 +21,8 @@ struct CoalitionPlan {
     double bound = 0;                   // no plan has a smaller objective
     bool proven = false;                // whether that bound was looked for
     bool limited = false;
+    // Where a share is given: other sets that were evaluated, each as a plan; the best first, collisions aside.
+    std::vector<CoalitionPlan> alternatives;
 };
 
 // Which sets of obstacles are evaluated, beside what must be removed.
@@ -36,6 +39,8 @@ struct Choice {
     std::vector<ObstacleId> list = {};  // without what must be removed and what may not; cut to what the rules allow
     // Whether a bound is proven; `exact` always proves one.
     bool proves_bound = true;
+    // Of the plan's objective: sets that cost more than it by no more than that are planned as well, once it is there.
+    std::optional<double> share = {};
 };
 
 // Whether plans that may remove less are made as well, where the choice is exact: another choice of sets may do better.

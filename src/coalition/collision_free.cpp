@@ -107,6 +107,13 @@ class DraftPlanner {
     const Draft& draft_;
 };
 
+Set breached(const CoalitionPlan& plan) {
+    Set set;
+    for (const Breach& breach : plan.breaches) set.push_back(breach.obstacle);
+    std::ranges::sort(set);
+    return set;
+}
+
 }  // namespace
 
 double tolerable_loss(double objective, double unproven) {
@@ -135,6 +142,28 @@ void plan_collision_free(const Problem& problem, const team::Interrupts& interru
         plan.breaches = planner.breaches();
         improved(reached, std::min(plan.bound, reached));
     }
+}
+
+std::vector<CoalitionPlan> plan_alternatives(const Problem& problem, const team::Interrupts& interrupts,
+                                             std::vector<Draft> drafts, double share, const CoalitionPlan& plan) {
+    const double most = plan.objective * (1 + share);
+    std::ranges::stable_sort(drafts, {}, [](const Draft& draft) { return draft.cost.first; });
+    std::vector<CoalitionPlan> alternatives;
+    std::vector<Set> known{united(breached(plan), problem.opened())};
+    for (const Draft& draft : drafts) {
+        if (draft.cost.first > most || interrupts.due()) break;
+        Set set = united(draft.set, problem.opened());
+        if (std::ranges::find(known, set) != known.end()) continue;
+        known.push_back(std::move(set));
+        CoalitionPlan other;
+        other.closed = plan.closed;
+        other.bound = plan.bound;
+        other.proven = plan.proven;
+        plan_collision_free(
+            problem, interrupts, std::span(&draft, 1), std::nullopt, [](double, double) {}, other);
+        if (other.objective <= most) alternatives.push_back(std::move(other));
+    }
+    return alternatives;
 }
 
 }  // namespace waybreaker::coalition

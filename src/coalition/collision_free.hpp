@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "coalition/coalition.hpp"
 
@@ -20,5 +21,10 @@ double tolerable_loss(double objective, double unproven);
 void plan_collision_free(const Problem& problem, const team::Interrupts& interrupts, std::span<const Draft> drafts,
                          std::optional<std::size_t> most,
                          const std::function<void(double objective, double bound)>& improved, CoalitionPlan& plan);
+
+// Each draft of another set than the plan's as a plan of its own, if it is above the plan by no more than that share;
+// of several drafts of a set, the best.
+std::vector<CoalitionPlan> plan_alternatives(const Problem& problem, const team::Interrupts& interrupts,
+                                             std::vector<Draft> drafts, double share, const CoalitionPlan& plan);
 
 }  // namespace waybreaker::coalition

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coalition/sorties.hpp"
@@ -27,6 +28,7 @@ class Evaluation {
 
     // Those that have a plan, the best first.
     std::span<const Draft> drafts() const { return drafts_; }
+    std::vector<Draft> take_drafts() && { return std::move(drafts_); }
     // The objective of the best; infinity if there is none.
     double reached() const { return drafts_.empty() ? infinity : drafts_.front().cost.first; }
 

@@ -14,15 +14,15 @@ bool remove_the_same(const Plan& a, const Plan& b) {
 
 }  // namespace
 
-void append_alternatives(std::span<const Plan> evaluated, double share, Objective objective, std::vector<Plan>& plans) {
+void append_alternatives(const Evaluated& evaluated, Objective objective, std::vector<Plan>& plans) {
     const auto reached = [objective](const Plan& plan) {
         if (plan.status != PlanStatus::solved) return std::numeric_limits<double>::infinity();
         return value(plan.after, objective).value_or(std::numeric_limits<double>::infinity());
     };
-    const double most = reached(plans.front()) * (1 + share);
+    const double most = reached(plans.front()) * (1 + evaluated.share);
     if (plans.front().status != PlanStatus::solved) return;
     std::vector<const Plan*> good;
-    for (const Plan& plan : evaluated) {
+    for (const Plan& plan : evaluated.plans) {
         if (reached(plan) <= most) good.push_back(&plan);
     }
     std::ranges::stable_sort(good, {}, [&](const Plan* plan) { return reached(*plan); });

@@ -47,13 +47,15 @@ bool drives_alone(const Mission& mission) {
 
 // What is best, or demolishes the least of what is about as good.
 Plan planned_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                  coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
-    if (!mission.rules.minimise_demolition) return plan_team(map, mission, method, limits, fewer, searcher, crossing);
+                  coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing,
+                  Evaluated* evaluated = nullptr) {
+    if (!mission.rules.minimise_demolition)
+        return plan_team(map, mission, method, limits, fewer, searcher, crossing, evaluated);
     const Stopwatch total;
     const Deadline deadline(limits.seconds);
     Limits first = limits;
     first.seconds *= share_before_sparing;
-    const Plan best = plan_team(map, mission, method, first, fewer, searcher, crossing);
+    const Plan best = plan_team(map, mission, method, first, fewer, searcher, crossing, evaluated);
     const TeamPlanner planned = [&](const Map& weighed, const Mission& frugal, double seconds) {
         Limits left = limits;
         left.seconds = std::max(seconds, 1e-3);
@@ -67,11 +69,11 @@ Plan planned_team(const Map& map, const Mission& mission, const Method& method, 
 
 // The plan first, as if nothing were to be explained; that takes what time is left.
 Plan explained_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                    Searcher& searcher, CrossingSearcher& crossing) {
+                    Searcher& searcher, CrossingSearcher& crossing, Evaluated* evaluated) {
     using coalition::Fewer;
     const Stopwatch total;
     const Deadline deadline(limits.seconds);
-    Plan plan = planned_team(map, mission, method, limits, Fewer::tried, searcher, crossing);
+    Plan plan = planned_team(map, mission, method, limits, Fewer::tried, searcher, crossing, evaluated);
     if (!method.explain || plan.status != PlanStatus::solved) return plan;
     explain_team(
         map, mission, deadline,
@@ -149,27 +151,28 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
     const OpenedByThemselves opened(map, mission);
     const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    std::vector<Plan> evaluated;
+    std::optional<Evaluated> evaluated;
+    if (share) evaluated = Evaluated{*share, {}};
     Plan best = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
         Limits left = limits;
         left.seconds = seconds;
         if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
-        return plan_active(opened.map(), asked, method, left, share ? &evaluated : nullptr);
+        return plan_active(opened.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
     });
     std::vector<Plan> plans;
     plans.push_back(std::move(best));
-    if (share) append_alternatives(evaluated, *share, mission.rules.objective, plans);
+    if (evaluated) append_alternatives(*evaluated, mission.rules.objective, plans);
     for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));
     return plans;
 }
 
 Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                          std::vector<Plan>* evaluated) {
+                          Evaluated* evaluated) {
     // What earlier missions have taught would change how much work this one is.
     crossing::Memory nothing;
     crossing::Access::exchange(memory_->crossing, nothing);
     if (!drives_alone(mission))
-        return explained_team(map, mission, method, limits, memory_->searcher, memory_->crossing);
+        return explained_team(map, mission, method, limits, memory_->searcher, memory_->crossing, evaluated);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
     const Searchers searchers{memory_->searcher, memory_->crossing};
@@ -234,8 +237,8 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
     plan.seconds.total = total.seconds();
     if (evaluated == nullptr) return plan;
     for (const Candidate& candidate : selected.candidates)
-        evaluated->push_back(plan_of(task, mission, candidate, selector->hits()));
-    evaluated->push_back(plan_of(task, mission, start, selector->hits()));
+        evaluated->plans.push_back(plan_of(task, mission, candidate, selector->hits()));
+    evaluated->plans.push_back(plan_of(task, mission, start, selector->hits()));
     return plan;
 }
 

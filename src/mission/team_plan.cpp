@@ -154,8 +154,17 @@ bool moves_greedily(const Mission& mission, const Method& method) {
     });
 }
 
+// Who is where when, and what is breached.
+void add_schedule(const Map& map, const Mission& mission, std::span<const std::uint32_t> hits,
+                  coalition::CoalitionPlan& made, Plan& plan) {
+    plan.breaches = std::move(made.breaches);
+    for (Breach& breach : plan.breaches) breach.hits = hits.empty() ? 0 : hits[breach.obstacle.value];
+    add_paths(mission, made.team, std::move(made.flights), plan);
+    add_entries(map, mission, plan);
+}
+
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                    coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
+                    coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing, Evaluated* evaluated) {
     const Stopwatch total;
     const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap,
                                       limits.threads};
@@ -165,8 +174,9 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     std::vector<std::uint32_t> hits;
     const auto choose = [&](const Method& how) {
         if (how.select == Selection::hits) hits = hits_of_team(map, mission, how, interrupts, searcher);
-        return coalition::plan_coalition(map, mission, choice_of(map, mission, how, hits), fewer, interrupts, crossing,
-                                         searcher, tell);
+        coalition::Choice choice = choice_of(map, mission, how, hits);
+        if (evaluated != nullptr) choice.share = evaluated->share;
+        return coalition::plan_coalition(map, mission, choice, fewer, interrupts, crossing, searcher, tell);
     };
     coalition::CoalitionPlan made = choose(method);
     // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
@@ -197,10 +207,12 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     plan.bound.reset();
     if (plan.status == PlanStatus::solved) {
         if (made.proven) plan.bound = made.bound;
-        plan.breaches = std::move(made.breaches);
-        for (Breach& breach : plan.breaches) breach.hits = hits.empty() ? 0 : hits[breach.obstacle.value];
-        add_paths(mission, made.team, std::move(made.flights), plan);
-        add_entries(map, mission, plan);
+        add_schedule(map, mission, hits, made, plan);
+        for (coalition::CoalitionPlan& other : made.alternatives) {
+            Plan& alternative = evaluated->plans.emplace_back();
+            alternative.status = plan.status;
+            add_schedule(map, mission, hits, other, alternative);
+        }
     } else {
         add_nothing(mission, plan.after);
     }
@@ -214,10 +226,10 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
 }  // namespace
 
 Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-               coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
+               coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing, Evaluated* evaluated) {
     const bool has_aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
     if (has_aircraft && mission.rules.removals > 0) {
-        return plan_coalition(map, mission, method, limits, fewer, searcher, crossing);
+        return plan_coalition(map, mission, method, limits, fewer, searcher, crossing, evaluated);
     }
     const Stopwatch total;
     const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap};

@@ -1,9 +1,10 @@
 // A rehearsal in the page: what goes wrong by mouse and by keyboard, and revisions that the command's check accepts.
 import { execFileSync } from "node:child_process";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
 import type { RevisionAnswer, RevisionRequest } from "../src/api/documents";
+import type { Plan } from "../src/domain/plan";
 import { positionAt } from "../src/play/motion";
 import { command, data } from "./command";
 import { Setting } from "./setting";
@@ -40,9 +41,9 @@ async function revised(studio: StudioPage, doIt: () => Promise<void>): Promise<E
   return (await Promise.all(answers)).at(-1)!;
 }
 
-function goesOn({ request, answer }: Exchange): string {
-  const [old, state, next] = [request.plan, request.state, answer.plan].map((one, i) => written(`${i}.json`, one));
-  return execFileSync(command, ["check", city, next!, "--after", old!, "--state", state!], { encoding: "utf8" });
+function goesOn({ request, answer }: Exchange, next = written("next.json", answer.plan)): string {
+  const [old, state] = [request.plan, request.state].map((one, i) => written(`${i}.json`, one));
+  return execFileSync(command, ["check", city, next, "--after", old!, "--state", state!], { encoding: "utf8" });
 }
 
 // Goes to about that time; to which one, it says.
@@ -88,6 +89,13 @@ it("lets a breach fail and rubble fall, by the mouse, and undo takes both back",
   expect(rubble.request.plan).toEqual(failure.answer.plan);
   expect(rubble.request.state.found[0]!.cells.length).toBeGreaterThan(10);
   expect(goesOn(rubble)).toContain("valid");
+
+  const saved = page.waitForEvent("download");
+  await page.getByRole("region", { name: "Take it along" }).getByRole("button", { name: "Plan (JSON)" }).click();
+  const file = join(scratch, "taken.json");
+  await (await saved).saveAs(file);
+  expect((JSON.parse(readFileSync(file, "utf8")) as Plan).agents).toEqual(rubble.answer.plan!.agents);
+  expect(goesOn(rubble, file)).toContain("valid");
 
   await page.getByRole("radio", { name: "Move" }).check({ force: true });
   await page.keyboard.press("Control+z");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ascii_map.hpp"
+#include "vehicle.hpp"
 #include "waybreaker/planner.hpp"
 #include "waybreaker/rehearse.hpp"
 
@@ -22,7 +23,8 @@ struct TwoStreets {
     Mission mission = ground_and_air({0, 2}, {20, 2});
     std::vector<Plan> plans = {};
 
-    TwoStreets() {
+    explicit TwoStreets(const std::vector<Agent>& others = {}) {
+        mission.agents.insert(mission.agents.end(), others.begin(), others.end());
         mission.rules.removals = 1;
         mission.rules.protect = {map.obstacle_at({10, 1}), map.obstacle_at({10, 2})};
         plans = Planner().alternatives(map, mission, 0.1);
@@ -44,6 +46,14 @@ TEST(Robust, IsWhatDependsOnNoBreachWhereBreachesFail) {
     // A failure costs the whole way back: one in ten costs more than the longer street.
     EXPECT_GT(rehearsals[0].makespan.mean, rehearsals[1].makespan.mean + 1);
     EXPECT_NEAR(rehearsals[1].makespan.mean, *streets.plans[1].after.makespan, 1e-9);
+}
+
+TEST(Robust, IsOfATeamAsWell) {
+    const TwoStreets streets({vehicle("other", {0, 0}, {4, 0}), aircraft("second", {0, 0}, {0, 0})});
+    ASSERT_EQ(streets.plans.size(), 2U);
+    EXPECT_EQ(streets.plans[0].breaches.size(), 1U);
+    EXPECT_EQ(most_robust(streets.rehearsed(0.1), Objective::makespan), 1U);
+    EXPECT_EQ(most_robust(streets.rehearsed(0), Objective::makespan), 0U);
 }
 
 TEST(Robust, IsTheFastestWhereNothingFails) {

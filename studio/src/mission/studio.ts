@@ -25,6 +25,10 @@ export class Studio {
   readonly importer: Importer;
   readonly overlays: Overlays;
   readonly rehearsal: Rehearsal;
+  // The plan that exports give: in a rehearsal the one that holds; null where none does.
+  readonly held = computed<Plan | null>(() =>
+    this.page.rehearsed.value ? this.rehearsal.held.value : (this.page.results.plans.value.after?.plan ?? null),
+  );
   // What is rehearsed is taken back first.
   readonly canUndo = computed(() => this.rehearsal.steps.value.length > 0 || this.editor.canUndo.value);
 

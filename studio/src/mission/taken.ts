@@ -8,20 +8,24 @@ import { saveAs } from "./save_as";
 import type { Studio } from "./studio";
 
 export async function downloadPlan(studio: Studio, format: ExportFormat): Promise<void> {
-  const plan = studio.page.results.plans.value.after?.plan;
+  const plan = studio.held.value;
   const map = studio.page.shown.value?.map.description;
   if (!plan || !map) return;
   const given = format === "html" ? withCurve(plan, studio.page.results) : plan;
   await save(studio, async () => ({
     bytes: await studio.client.exported(map.id, given, format),
-    name: `plan.${format}`,
+    name: `${nameOf(plan)}.${format}`,
   }));
+}
+
+function nameOf({ revision }: Plan): string {
+  return revision ? `revision-${revision.number}` : "plan";
 }
 
 // A page shows what each number of removals reaches, if that is known.
 function withCurve(plan: Plan, { front, answered }: Results): Plan {
   const question = answered.value;
-  const isOfPlan = front.value?.isDone && question && front.value.key === keyOf.front(question);
+  const isOfPlan = !plan.revision && front.value?.isDone && question && front.value.key === keyOf.front(question);
   return isOfPlan ? { ...plan, front: [...front.value!.points] } : plan;
 }
 

@@ -18,7 +18,8 @@ export function TakeAlong({ studio }: { studio: Studio }) {
   const plan = studio.page.results.plans.value.after?.plan;
   const shown = studio.page.shown.value;
   if (!plan || !shown) return null;
-  const solved = plan.agents.length > 0;
+  const held = studio.held.value;
+  const solved = held !== null && held.agents.length > 0;
   const placed = shown.map.description.georeference !== null;
   return (
     <Section title="Take it along" kind="take-along">
@@ -47,6 +48,9 @@ export function TakeAlong({ studio }: { studio: Studio }) {
           </button>
         )}
       </div>
+      {solved && held !== plan && (
+        <p class="hint">Plans and pictures are of the plan as revised last; link, mission and map stay as they were.</p>
+      )}
       {!studio.client.imports && (
         <p class="hint">
           This page plans by itself, without a server. To write maps as files after drawing on them, and pages of plans, start{" "}

@@ -2,17 +2,28 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Client } from "../../src/api/client";
 import type { RevisionAnswer, RevisionRequest } from "../../src/api/documents";
+import type { Plan } from "../../src/domain/plan";
+import { saveAs } from "../../src/mission/save_as";
 import { sceneOf } from "../../src/mission/scene_of";
 import { Studio } from "../../src/mission/studio";
+import { downloadPlan } from "../../src/mission/taken";
 import { planOf } from "../domain/plans";
 import { FakeClient } from "./fake_client";
 
+vi.mock("../../src/mission/save_as", () => ({ saveAs: vi.fn() }));
+
 class RevisingClient extends FakeClient {
+  readonly taken: { plan: Plan; format: string }[] = [];
   readonly revised: { map: string; request: RevisionRequest }[] = [];
 
   revise = async (map: string, request: RevisionRequest): Promise<RevisionAnswer> => {
     this.revised.push({ map, request });
-    return { status: "revised", halts: [], plan: planOf({ after: 120 }) };
+    const revision = { number: this.revised.length, sequence: this.revised.length, now: 10, decided: [] };
+    return { status: "revised", halts: [], plan: { ...planOf({ after: 120 }), revision } };
+  };
+  exported = async (_map: string, plan: Plan, format: string) => {
+    this.taken.push({ plan, format });
+    return new Blob([format]);
   };
 }
 
@@ -41,6 +52,34 @@ it("plays and shows the story in place of the plan", async () => {
   const scene = sceneOf(studio.page, studio)!;
   expect(scene.layers.map(({ name, plan }) => [name, plan.after.makespan])).toEqual([["after", 120]]);
   expect(scene.rehearsed!.failed).toEqual([{ obstacle: 1, at: [0, 0] }]);
+});
+
+it("gives the plan that holds to take along, until it is taken back", async () => {
+  await started(new RevisingClient());
+  const plan = studio.page.results.plans.value.after!.plan;
+  await downloadPlan(studio, "json");
+  await studio.rehearsal.happens(fails);
+  const revised = studio.rehearsal.held.value!;
+  await downloadPlan(studio, "json");
+  await downloadPlan(studio, "html");
+  studio.undo();
+  await downloadPlan(studio, "svg");
+  expect(client.taken).toEqual([
+    { plan, format: "json" },
+    { plan: revised, format: "json" },
+    { plan: revised, format: "html" },
+    { plan, format: "svg" },
+  ]);
+  expect(vi.mocked(saveAs).mock.calls.map(([, name]) => name)).toEqual(["plan.json", "revision-1.json", "revision-1.html", "plan.svg"]);
+});
+
+it("has nothing to take along where no plan is left", async () => {
+  const lost = new RevisingClient();
+  lost.revise = async () => ({ status: "no_plan", halts: [], plan: null });
+  await started(lost);
+  await studio.rehearsal.happens(fails);
+  await downloadPlan(studio, "json");
+  expect([studio.held.value, client.taken]).toEqual([null, []]);
 });
 
 it("is taken back before the mission's changes are", async () => {
