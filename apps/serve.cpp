@@ -122,9 +122,12 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "finished, unless a second signal follows.");
     add_file(*command, "--maps", options->maps,
              "A folder of maps to serve, beside those that are built in; no other map is read", "FOLDER");
-    add_file(*command, "--store", options->store,
-             "A file that live missions are kept in, so that they go on after a restart; begun if there is none, for "
-             "one server at a time (default: in memory, gone when the server ends)");
+    add_file(
+        *command, "--store", options->store,
+        "Where live missions are kept, so that they go on after a restart: a file, begun if there is none, for one "
+        "server at a time; or the URL of a PostgreSQL database, postgresql://USER@HOST/DATABASE, which servers share "
+        "(default: in memory, gone when the server ends)",
+        "FILE|URL");
     add_text(*command, "--host", options->host, "ADDRESS", "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(
@@ -146,6 +149,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         ->type_name("HOST,...");
     add_limits(*command, options->limits);
     set_examples(*command, {"waybreaker serve --maps data", "waybreaker serve --maps data --store missions.db",
+                            "waybreaker serve --store postgresql://waybreaker@db.example/missions",
                             "waybreaker serve --maps data --host 0.0.0.0 --token \"$(openssl rand -hex 16)\""});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <random>
 #include <utility>
 
@@ -19,6 +21,10 @@ namespace {
 http::Problem no_such_mission() {
     return {http::not_found, "there is no live mission of that name; GET /api/v1/missions lists those there are",
             "mission-not-found"};
+}
+
+http::Problem too_many(std::size_t most) {
+    return {http::insufficient_storage, fmt::format("{} missions are live, as many as may be (--live-missions)", most)};
 }
 
 // Not guessed from others, nor used again after a restart without a store.
@@ -54,54 +60,16 @@ LiveMissions::LiveMissions(MissionStore& store, MapStore& maps, PlannerPool& pla
       budget_(budget),
       seconds_(limits.seconds),
       most_(limits.live_missions) {
-    for (const auto& [mission, last] : store_.missions()) insert(mission, last);
+    if (store_.is_shared()) following_ = std::jthread([this](const std::stop_token& stop) { follow(stop); });
 }
 
-std::shared_ptr<LiveMissions::Live> LiveMissions::insert(const MissionRecord& mission, const ReportRecord& last) {
-    const auto live = std::make_shared<Live>();
-    live->last = {mission, last.sequence, last.revision, last.now, last.status};
-    live->last.mission.request.clear();
-    return live_[mission.id] = live;
+MissionSummary LiveMissions::summary(const std::string& id) const {
+    if (std::optional<MissionSummary> found = store_.mission(id)) return *std::move(found);
+    throw no_such_mission();
 }
 
-std::shared_ptr<LiveMissions::Live> LiveMissions::known(const std::string& id) const {
-    const auto found = live_.find(id);
-    if (found == live_.end()) throw no_such_mission();
-    return found->second;
-}
-
-std::shared_ptr<LiveMissions::Live> LiveMissions::find(const std::string& id) const {
-    const std::scoped_lock lock(mutex_);
-    return known(id);
-}
-
-std::vector<LiveMissions::Summary> LiveMissions::list() const {
-    const std::scoped_lock lock(mutex_);
-    std::vector<Summary> all;
-    for (const auto& [id, live] : live_) all.push_back(live->last);
-    return all;
-}
-
-LiveMissions::Summary LiveMissions::summary(const std::string& id) const {
-    const std::scoped_lock lock(mutex_);
-    return known(id)->last;
-}
-
-LiveMissions::Place::~Place() {
-    if (taken_) return;
-    const std::scoped_lock lock(missions_.mutex_);
-    --missions_.places_;
-}
-
-std::shared_ptr<LiveMissions::Place> LiveMissions::place() {
-    const std::scoped_lock lock(mutex_);
-    if (live_.size() + places_ >= most_) {
-        throw http::Problem(http::insufficient_storage,
-                            fmt::format("{} missions are live, as many as may be (--live-missions)", most_));
-    }
-    const auto place = std::make_shared<Place>(*this);
-    ++places_;
-    return place;
+void LiveMissions::require_room() const {
+    if (store_.count() >= most_) throw too_many(most_);
 }
 
 LiveMissions::SharedMemory LiveMissions::memory_of(std::size_t bytes) const {
@@ -115,32 +83,35 @@ LiveMissions::SharedMemory LiveMissions::memory_of(std::size_t bytes) const {
 
 LiveMissions::SharedMemory LiveMissions::memory_of_map(const ArchivedMap& map) {
     {
-        const std::scoped_lock lock(mutex_);
+        const std::scoped_lock lock(memory_mutex_);
         if (SharedMemory known = map_memory_[map.id].lock()) return known;
     }
     SharedMemory memory = memory_of(map.bytes.size());
-    const std::scoped_lock lock(mutex_);
+    const std::scoped_lock lock(memory_mutex_);
     std::erase_if(map_memory_, [](const auto& entry) { return entry.second.expired(); });
     map_memory_[map.id] = memory;
     return memory;
 }
 
+void LiveMissions::keep(const std::string& id, const SharedMemory& memory) {
+    if (!store_.in_memory()) return;
+    const std::scoped_lock lock(memory_mutex_);
+    if (store_.mission(id)) memory_[id].push_back(memory);  // it may have been deleted meanwhile
+}
+
 LiveMissions::Begun LiveMissions::begin(const request::LiveRequest& request, const std::string& body,
-                                        const SharedMap& map, Place& place, const http::Worker& worker) {
+                                        const SharedMap& map, const http::Worker& worker) {
     const ReportRecord first = first_plan({map, request.map, request, planners_, seconds_}, worker);
     if (worker.stop.stop_requested()) throw http::Problem(http::unavailable, "the time is up; ask again");
     const ArchivedMap archive = archived(*map);
     const MissionRecord mission{
         .id = new_id(), .map = request.map, .archive = archive.id, .digest = map->file.digest, .request = body};
-    SharedMemory map_memory = memory_of_map(archive);
-    SharedMemory memory = memory_of(body.size() + size_of(first));
-    const std::scoped_lock lock(mutex_);
-    store_.add(mission, archive, first);
-    const std::shared_ptr<Live> live = insert(mission, first);
-    live->memory = {std::move(memory), std::move(map_memory)};
-    place.taken_ = true;
-    --places_;
-    return {live->last, first};
+    const SharedMemory map_memory = memory_of_map(archive);
+    const SharedMemory memory = memory_of(body.size() + size_of(first));
+    if (!store_.add(mission, archive, first, most_)) throw too_many(most_);
+    keep(mission.id, map_memory);
+    keep(mission.id, memory);
+    return {{mission, first.sequence, first.revision, first.now, first.status}, first};
 }
 
 // The map as it was when the mission began, wherever it is to be had.
@@ -154,7 +125,7 @@ SharedMap LiveMissions::map_of(const MissionRecord& mission) {
     return maps_.load(mission.archive);
 }
 
-std::optional<ReportRecord> LiveMissions::answered(const Summary& last, const State& state) const {
+std::optional<ReportRecord> LiveMissions::answered(const MissionSummary& last, const State& state) const {
     if (state.sequence > last.sequence) return std::nullopt;
     std::optional<ReportRecord> known = store_.report(last.mission.id, state.sequence);
     if (known && known->state == io::state_json(state).dump()) return known;
@@ -164,49 +135,83 @@ std::optional<ReportRecord> LiveMissions::answered(const Summary& last, const St
     throw http::Problem(http::conflict, fmt::format(fmt::runtime(why), state.sequence, last.sequence));
 }
 
-void LiveMissions::commit(Live& live, const ReportRecord& report) {
-    const std::string& id = live.last.mission.id;
-    if (known(id).get() != &live) throw no_such_mission();
-    store_.add(id, report);
-    live.last.sequence = report.sequence;
-    live.last.revision = report.revision;
-    live.last.now = report.now;
-    live.last.status = report.status;
-    ++reports_[report.status];
-    std::erase_if(live.streams, [](const auto& stream) { return stream.expired(); });
-    for (const auto& stream : live.streams) {
-        if (const auto there = stream.lock()) there->push(event_text(report));
-    }
-}
-
 ReportRecord LiveMissions::report(const std::string& id, const State& state, const http::Worker& worker) {
-    const std::shared_ptr<Live> live = find(id);
-    const std::scoped_lock turn(live->reporting);
-    const Summary last = summary(id);
+    const std::unique_ptr<Turn> turn = store_.turn(id);
+    const MissionSummary last = summary(id);
     if (const auto before = answered(last, state)) return *before;
     const ReportRecord held = plan(id, last.revision);
     std::vector<State> since;
     for (const ReportRecord& one : store_.reports_after(id, held.sequence))
         since.push_back(io::parse_state(one.state, "a report"));
-    const MissionRecord mission = store_.mission(id);
-    if (mission.id.empty()) throw no_such_mission();
-    const LiveTask task{map_of(mission), mission.map, request::parse_live_request(mission.request), planners_,
-                        seconds_};
+    const LiveTask task{map_of(last.mission), last.mission.map, request::parse_live_request(last.mission.request),
+                        planners_, seconds_};
     const ReportRecord next = revised_plan(task, held, since, state, worker);
     if (worker.stop.stop_requested()) throw http::Problem(http::unavailable, "the time is up; report it again");
     const SharedMemory memory = memory_of(size_of(next));
-    const std::scoped_lock lock(mutex_);
-    commit(*live, next);
-    if (store_.in_memory()) live->memory.push_back(memory);
+    if (!turn->add(next)) throw no_such_mission();
+    keep(id, memory);
+    publish(id);
+    const std::scoped_lock lock(memory_mutex_);
+    ++reports_[next.status];
     return next;
 }
 
 void LiveMissions::remove(const std::string& id) {
-    const std::scoped_lock lock(mutex_);
-    const std::shared_ptr<Live> live = known(id);
-    store_.remove(id);
-    live_.erase(id);
-    for (const auto& stream : live->streams) {
+    if (!store_.remove(id)) throw no_such_mission();
+    {
+        const std::scoped_lock lock(memory_mutex_);
+        memory_.erase(id);
+    }
+    const std::scoped_lock lock(audience_mutex_);
+    const auto audience = audiences_.find(id);
+    if (audience == audiences_.end()) return;
+    send_end(audience->second);
+    audiences_.erase(audience);
+}
+
+ReportRecord LiveMissions::plan(const std::string& id, std::optional<int> revision) const {
+    const MissionSummary last = summary(id);
+    const int wanted = revision.value_or(last.revision);
+    if (std::optional<ReportRecord> found = store_.planned(id, wanted)) return *std::move(found);
+    throw http::Problem(http::not_found,
+                        fmt::format("the mission has no revision {}; the last one is {}", wanted, last.revision),
+                        "revision-not-found");
+}
+
+std::shared_ptr<EventStream> LiveMissions::events(const std::string& id, std::optional<std::uint64_t> after) {
+    const auto stream = std::make_shared<EventStream>();
+    const std::scoped_lock lock(audience_mutex_);
+    drop_gone();
+    const MissionSummary last = summary(id);
+    if (after.value_or(0) > last.sequence) {
+        throw http::Problem(http::bad_request,
+                            fmt::format("Last-Event-ID is above the last event's, {}", last.sequence));
+    }
+    Audience& audience = audiences_.try_emplace(id, Audience{.last = last.sequence}).first->second;
+    send_news(id, audience);
+    if (after) {
+        for (const ReportRecord& report : store_.reports_after(id, *after)) {
+            if (report.sequence <= audience.last) stream->push(event_text(report));
+        }
+    } else if (const auto report = store_.report(id, audience.last)) {
+        stream->push(event_text(*report));
+    }
+    if (ended_) stream->end();
+    audience.streams.push_back(stream);
+    return stream;
+}
+
+void LiveMissions::send_news(const std::string& id, Audience& audience) {
+    for (const ReportRecord& report : store_.reports_after(id, audience.last)) {
+        for (const auto& stream : audience.streams) {
+            if (const auto there = stream.lock()) there->push(event_text(report));
+        }
+        audience.last = report.sequence;
+    }
+}
+
+void LiveMissions::send_end(Audience& audience) {
+    for (const auto& stream : audience.streams) {
         const auto there = stream.lock();
         if (!there) continue;
         there->push(http::server_event("deleted", "{}"));
@@ -214,49 +219,76 @@ void LiveMissions::remove(const std::string& id) {
     }
 }
 
-ReportRecord LiveMissions::plan(const std::string& id, std::optional<int> revision) const {
-    const int wanted = revision.value_or(summary(id).revision);
-    if (std::optional<ReportRecord> found = store_.planned(id, wanted)) return *std::move(found);
-    throw http::Problem(http::not_found,
-                        fmt::format("the mission has no revision {}; the last one is {}", wanted, summary(id).revision),
-                        "revision-not-found");
+void LiveMissions::drop_gone() {
+    for (auto& [id, audience] : audiences_)
+        std::erase_if(audience.streams, [](const auto& stream) { return stream.expired(); });
+    std::erase_if(audiences_, [](const auto& entry) { return entry.second.streams.empty(); });
 }
 
-std::shared_ptr<EventStream> LiveMissions::events(const std::string& id, std::optional<std::uint64_t> after) {
-    const auto stream = std::make_shared<EventStream>();
-    const std::scoped_lock lock(mutex_);
-    const std::shared_ptr<Live> live = known(id);
-    if (after.value_or(0) > live->last.sequence) {
-        throw http::Problem(http::bad_request,
-                            fmt::format("Last-Event-ID is above the last event's, {}", live->last.sequence));
+void LiveMissions::publish(const std::string& id) {
+    const std::scoped_lock lock(audience_mutex_);
+    const auto audience = audiences_.find(id);
+    if (audience == audiences_.end()) return;
+    try {
+        send_news(id, audience->second);
+    } catch (const http::Problem&) {  // the report is stored all the same; it is sent with the next one
     }
-    if (after) {
-        for (const ReportRecord& report : store_.reports_after(id, *after)) stream->push(event_text(report));
-    } else if (const auto last = store_.report(id, live->last.sequence)) {
-        stream->push(event_text(*last));
+}
+
+void LiveMissions::follow(const std::stop_token& stop) {
+    constexpr std::chrono::milliseconds pause(250);  // streams are no faster (http::Waiting::tick)
+    std::mutex mutex;
+    std::condition_variable_any stopped;
+    std::unique_lock lock(mutex);
+    while (!stopped.wait_for(lock, stop, pause, [] { return false; }) && !stop.stop_requested()) {
+        try {
+            publish_others();
+        } catch (const http::Problem&) {  // the store will be back
+        }
     }
-    if (ended_) stream->end();
-    std::erase_if(live->streams, [](const auto& one) { return one.expired(); });
-    live->streams.push_back(stream);
-    return stream;
+}
+
+void LiveMissions::publish_others() {
+    const std::scoped_lock lock(audience_mutex_);
+    drop_gone();
+    if (audiences_.empty()) return;
+    std::map<std::string, std::uint64_t> last;
+    for (const MissionSummary& mission : store_.missions()) last[mission.mission.id] = mission.sequence;
+    for (auto& [id, audience] : audiences_) {
+        const auto known = last.find(id);
+        if (known == last.end()) {
+            send_end(audience);
+            audience.streams.clear();
+        } else if (known->second > audience.last) {
+            send_news(id, audience);
+        }
+    }
 }
 
 void LiveMissions::end_streams() {
-    const std::scoped_lock lock(mutex_);
+    const std::scoped_lock lock(audience_mutex_);
     ended_ = true;
-    for (const auto& [id, live] : live_) {
-        for (const auto& stream : live->streams) {
+    for (const auto& [id, audience] : audiences_) {
+        for (const auto& stream : audience.streams) {
             if (const auto there = stream.lock()) there->end();
         }
     }
 }
 
 Metrics::Missions LiveMissions::figures() const {
-    const std::scoped_lock lock(mutex_);
-    Metrics::Missions figures{.live = live_.size(), .most = most_, .streams = 0, .reports = reports_};
-    for (const auto& [id, live] : live_) {
+    Metrics::Missions figures{.most = most_};
+    try {
+        figures.live = store_.count();
+    } catch (const http::Problem&) {  // nobody knows
+    }
+    {
+        const std::scoped_lock lock(memory_mutex_);
+        figures.reports = reports_;
+    }
+    const std::scoped_lock lock(audience_mutex_);
+    for (const auto& [id, audience] : audiences_) {
         figures.streams +=
-            std::size_t(std::ranges::count_if(live->streams, [](const auto& stream) { return !stream.expired(); }));
+            std::size_t(std::ranges::count_if(audience.streams, [](const auto& stream) { return !stream.expired(); }));
     }
     return figures;
 }

@@ -1,5 +1,5 @@
 // Live missions: plans that are being executed. What is reported of one revises its plan; all of it is in the store
-// before it is acknowledged, and what memory holds of a mission can be made again from there.
+// before it is acknowledged, and the store alone says how far a mission is: other servers may share it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "http/job_queue.hpp"
@@ -29,39 +31,19 @@ class LiveMissions {
     LiveMissions(MissionStore& store, MapStore& maps, PlannerPool& planners, const ServiceLimits& limits,
                  MemoryBudget& budget);
 
-    struct Summary {
-        MissionRecord mission;  // without the request
-        std::uint64_t sequence = 0;
-        int revision = 0;
-        double now = 0;
-        std::string status;  // of the last report
-    };
-    std::vector<Summary> list() const;
+    std::vector<MissionSummary> list() const { return store_.missions(); }
     // This and what follows throw Problem if there is no such mission.
-    Summary summary(const std::string& id) const;
+    MissionSummary summary(const std::string& id) const;
 
-    // A place for one more live mission, kept while the mission is about to begin.
-    class Place {
-      public:
-        explicit Place(LiveMissions& missions) : missions_(missions) {}
-        Place(const Place&) = delete;
-        Place& operator=(const Place&) = delete;
-        ~Place();
-
-      private:
-        friend class LiveMissions;
-        LiveMissions& missions_;
-        bool taken_ = false;
-    };
-    // Throws Problem if no more missions may be live.
-    std::shared_ptr<Place> place();
+    // Throws Problem if no more missions may be live: before one is planned, and again when it begins.
+    void require_room() const;
 
     struct Begun {
-        Summary summary;
+        MissionSummary summary;
         ReportRecord first;
     };
     // To be called by a worker. Throw Problem if nothing comes of it: then nothing has changed.
-    Begun begin(const request::LiveRequest& request, const std::string& body, const SharedMap& map, Place& place,
+    Begun begin(const request::LiveRequest& request, const std::string& body, const SharedMap& map,
                 const http::Worker& worker);
     // One after the other for each mission. What a report that is known already gave, it gives again.
     ReportRecord report(const std::string& id, const State& state, const http::Worker& worker);
@@ -79,24 +61,28 @@ class LiveMissions {
 
   private:
     using SharedMemory = std::shared_ptr<MemoryBudget::Share>;
-    struct Live {
-        std::mutex reporting;  // held while a report is at work; locked before LiveMissions::mutex_
-        // Guarded by LiveMissions::mutex_:
-        Summary last;
-        std::vector<std::weak_ptr<EventStream>> streams;
-        std::vector<SharedMemory> memory;  // of what a store in memory holds of it, and of its map
+    // Who listens to a mission, and the last report that they have all been sent.
+    struct Audience {
+        std::uint64_t last = 0;
+        std::vector<std::weak_ptr<EventStream>> streams = {};
     };
 
-    std::shared_ptr<Live> find(const std::string& id) const;
     SharedMap map_of(const MissionRecord& mission);
     // What was answered to that report, if it is known. Throws Problem if another has its number, or it comes too late.
-    std::optional<ReportRecord> answered(const Summary& last, const State& state) const;
+    std::optional<ReportRecord> answered(const MissionSummary& last, const State& state) const;
     SharedMemory memory_of(std::size_t bytes) const;
     SharedMemory memory_of_map(const ArchivedMap& map);
-    // With mutex_ locked:
-    std::shared_ptr<Live> known(const std::string& id) const;
-    std::shared_ptr<Live> insert(const MissionRecord& mission, const ReportRecord& last);
-    void commit(Live& live, const ReportRecord& report);
+    void keep(const std::string& id, const SharedMemory& memory);
+
+    // Sends the news of a mission to who listens here.
+    void publish(const std::string& id);
+    // Sends, again and again, what other servers have added.
+    void follow(const std::stop_token& stop);
+    void publish_others();
+    // With audience_mutex_ locked:
+    void send_news(const std::string& id, Audience& audience);
+    static void send_end(Audience& audience);
+    void drop_gone();
 
     MissionStore& store_;
     MapStore& maps_;
@@ -104,13 +90,17 @@ class LiveMissions {
     MemoryBudget& budget_;
     double seconds_;
     std::size_t most_;
-    mutable std::mutex mutex_;  // never held while a map is read or a plan is made
-    std::map<std::string, std::shared_ptr<Live>> live_;
-    std::map<std::string, std::weak_ptr<MemoryBudget::Share>>
-        map_memory_;          // of maps that missions share, by id in the archive
-    std::size_t places_ = 0;  // of missions that are about to begin
-    bool ended_ = false;
+
+    mutable std::mutex memory_mutex_;
+    // Of what a store in memory holds of each mission, and of its map; and of the maps, by their ids in the archive.
+    std::map<std::string, std::vector<SharedMemory>> memory_;
+    std::map<std::string, std::weak_ptr<MemoryBudget::Share>> map_memory_;
     std::map<std::string, std::uint64_t> reports_;
+
+    mutable std::mutex audience_mutex_;
+    std::map<std::string, Audience> audiences_;  // by mission
+    bool ended_ = false;
+    std::jthread following_;
 };
 
 }  // namespace waybreaker::service

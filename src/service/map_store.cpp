@@ -148,14 +148,17 @@ std::vector<MapStore::Entry> MapStore::list() const {
 }
 
 std::shared_ptr<MapStore::Slot> MapStore::slot_of(const std::string& id) {
-    const std::scoped_lock lock(mutex_);
-    const auto known = slots_.find(id);
-    if (known != slots_.end()) return known->second;
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto known = slots_.find(id);
+        if (known != slots_.end()) return known->second;
+    }
     const bool sent = path_of(id).empty() && !built_in_map(id);
     if (sent && !is_archived(id)) throw no_such_map();
     const auto slot = std::make_shared<Slot>();
     slot->uploaded = sent;
-    return slots_[id] = slot;
+    const std::scoped_lock lock(mutex_);
+    return slots_.try_emplace(id, slot).first->second;  // of another, if that was faster
 }
 
 SharedMap MapStore::touch(Slot& slot) {
@@ -185,16 +188,21 @@ bool MapStore::evict_unused() {
     return evicted != nullptr;
 }
 
+std::size_t MapStore::count_loaded() const {
+    return std::size_t(std::ranges::count_if(slots_, [](const auto& entry) { return bool(entry.second->map); }));
+}
+
+std::size_t MapStore::loaded() const {
+    const std::scoped_lock lock(mutex_);
+    return count_loaded();
+}
+
 void MapStore::fill(Slot& slot, SharedMap map) {
     std::vector<SharedMap> evicted;  // released without the lock
     const std::scoped_lock lock(mutex_);
     slot.map = std::move(map);
     slot.used = ++uses_;
-    const auto loaded = [this] {
-        return std::size_t(
-            std::count_if(slots_.begin(), slots_.end(), [](const auto& entry) { return entry.second->map; }));
-    };
-    while (loaded() > limits_.maps) {
+    while (count_loaded() > limits_.maps) {
         evicted.push_back(take_first(Of::all, &slot));
         if (!evicted.back()) return;
     }
@@ -258,7 +266,11 @@ std::optional<MapStore::Upload> MapStore::existing(const std::string& id, const 
 }
 
 MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
-    if (const auto known = existing(id_of(bytes, connectivity), bytes)) return *known;
+    const std::string id = id_of(bytes, connectivity);
+    if (const auto known = existing(id, bytes)) {
+        share(id, *known->map);
+        return *known;
+    }
     try {
         return add([&](const MapLimits& limits) -> StoredMap {
             const MemoryAccount::Scope none(nullptr);  // the limits count the map
@@ -277,8 +289,14 @@ MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>&
     return insert(make(reservation.limits()), reservation);
 }
 
+// With the other servers of the archive.
+void MapStore::share(const std::string& id, const StoredMap& map) {
+    if (archive_ != nullptr) archive_->keep(id, map.connectivity, map.bytes);
+}
+
 MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
     const std::string id = id_of(map.bytes, map.connectivity);
+    share(id, map);
     if (const auto known = existing(id, map.bytes)) return *known;
     map.file.source = id;
     const SharedMap shared = reservation.settled(std::move(map));
@@ -299,7 +317,8 @@ MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
 }
 
 void MapStore::remove(const std::string& id) {
-    if (is_archived(id)) {
+    const bool archived = is_archived(id);
+    if (archived && !archive_->forget(id)) {
         throw http::Problem(http::forbidden, "live missions are on this map; delete them first", "map-not-removable");
     }
     std::shared_ptr<Slot> removed;  // released without the lock
@@ -310,7 +329,7 @@ void MapStore::remove(const std::string& id) {
         slots_.erase(known);
     } else if (known != slots_.end() || !path_of(id).empty() || built_in_map(id)) {
         throw http::Problem(http::forbidden, "only maps that were sent here can be deleted", "map-not-removable");
-    } else {
+    } else if (!archived) {
         throw no_such_map();
     }
 }

@@ -34,7 +34,7 @@ using SharedMap = std::shared_ptr<const StoredMap>;
 class MapStore {
   public:
     // `folder` may be empty. Keeps the references. Throws InputError if it is not a folder. Maps of the archive can
-    // always be had, and cannot be removed.
+    // always be had, and not be removed while missions are on them.
     MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget,
              MapArchive* archive = nullptr);
 
@@ -46,6 +46,8 @@ class MapStore {
     // Sorted by id. A file in the folder replaces the built-in map of the same name. Files whose names are not valid
     // ids and links that lead out of the folder are skipped.
     std::vector<Entry> list() const;
+    // How many are in memory.
+    std::size_t loaded() const;
 
     // The map if it is in memory, else null: load() has to read it, which takes time. Throws Problem if there is no
     // such map. Thread-safe.
@@ -88,10 +90,12 @@ class MapStore {
     std::optional<Upload> existing(const std::string& id, const std::string& bytes);
     SharedMap touch(Slot& slot);
     Upload insert(StoredMap map, Reservation& reservation);
+    void share(const std::string& id, const StoredMap& map);
     void fill(Slot& slot, SharedMap map);
     // Whether there was a map that nobody uses.
     bool evict_unused();
     // With mutex_ locked; the map is to be released without it:
+    std::size_t count_loaded() const;
     enum class Of { all, unused };
     SharedMap take_first(Of which, const Slot* except = nullptr);
 

@@ -76,7 +76,7 @@ std::string Metrics::text(const Gauges& gauges) const {
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
     text += single("waybreaker_maps_bytes", "gauge", "Memory that maps and map data take.", gauges.map_bytes);
     const Missions& missions = gauges.missions;
-    text += single("waybreaker_missions_live", "gauge", "Missions that are live.", missions.live);
+    if (missions.live) text += single("waybreaker_missions_live", "gauge", "Missions that are live.", *missions.live);
     text += single("waybreaker_missions_limit", "gauge", "The most missions that may be live.", missions.most);
     text += single("waybreaker_event_streams", "gauge", "Clients that listen to missions.", missions.streams);
     text += heading("waybreaker_reports_total", "counter", "Reports of live missions, by what came of them.");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -37,7 +38,7 @@ class Metrics {
         std::size_t running = 0;
     };
     struct Missions {
-        std::size_t live = 0;
+        std::optional<std::size_t> live = {};  // empty: the store does not say
         std::size_t most = 0;
         std::size_t streams = 0;                            // of events, to clients that listen
         std::map<std::string, std::uint64_t> reports = {};  // since the start, by what came of them

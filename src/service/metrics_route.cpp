@@ -1,7 +1,5 @@
 #include "service/metrics_route.hpp"
 
-#include <algorithm>
-
 #include "service/responses.hpp"
 
 namespace waybreaker::service {
@@ -13,13 +11,11 @@ Route metrics_route(const Metrics& metrics, const MapStore& store, const Executo
         const auto lane = [&executor](Lane which) {
             return Metrics::Lane{executor.queue(which).waiting(), executor.queue(which).running()};
         };
-        const auto maps = store.list();
-        const auto loaded = std::count_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.loaded; });
         Metrics::Gauges gauges{.plans = lane(Lane::planning),
                                .uploads = lane(Lane::uploading),
                                .imports = lane(Lane::importing),
                                .refused = executor.refused(),
-                               .maps = std::size_t(loaded),
+                               .maps = store.loaded(),
                                .missions = missions.figures(),
                                .map_bytes = budget.used(Use::map) + budget.used(Use::source),
                                .most_memory = budget.most()};

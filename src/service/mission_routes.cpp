@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string root = "/api/v1/missions";
 
-Json summary_json(const LiveMissions::Summary& summary) {
+Json summary_json(const MissionSummary& summary) {
     return {{"id", summary.mission.id},     {"map", summary.mission.map},   {"digest", summary.mission.digest},
             {"sequence", summary.sequence}, {"revision", summary.revision}, {"now", summary.now},
             {"status", summary.status}};
@@ -30,10 +30,10 @@ Route begin_route(LiveMissions& missions, MapStore& maps) {
         const request::LiveRequest asked =
             read_request([&call] { return request::parse_live_request(call.request.body); });
         if (!MapStore::is_id(asked.map)) throw http::Problem(http::not_found, "map names no map", "map-not-found");
-        http::Work work = [&, asked, body = call.request.body, place = missions.place(),
+        missions.require_room();
+        http::Work work = [&, asked, body = call.request.body,
                            map = maps.if_loaded(asked.map)](const http::Worker& worker) {
-            const LiveMissions::Begun begun =
-                missions.begin(asked, body, map ? map : maps.load(asked.map), *place, worker);
+            const LiveMissions::Begun begun = missions.begin(asked, body, map ? map : maps.load(asked.map), worker);
             return kept_response(request::with_plan(summary_json(begun.summary).dump(), begun.first.plan),
                                  root + "/" + begun.summary.mission.id, true);
         };
@@ -45,7 +45,7 @@ Route begin_route(LiveMissions& missions, MapStore& maps) {
 Route list_route(const LiveMissions& missions) {
     const auto handle = [&](const Call&) -> Answer {
         Json list = Json::array();
-        for (const LiveMissions::Summary& summary : missions.list()) list.push_back(summary_json(summary));
+        for (const MissionSummary& summary : missions.list()) list.push_back(summary_json(summary));
         return ok_response(Json{{"missions", std::move(list)}}.dump() + "\n");
     };
     return {"GET", root, http::BodyType::none, false, handle};

@@ -1,18 +1,16 @@
-// Mission store: live missions, what was reported of them and what came of it, in an SQLite database. What a call has
-// added is there after kill -9 and power cuts once the call has returned.
+// Mission store: live missions, what was reported of them and what came of it, in an SQLite file for one server, or in
+// a PostgreSQL database for several. What a call has added is there after kill -9 and power cuts once the call has
+// returned.
 #pragma once
 
-#include <SQLiteCpp/SQLiteCpp.h>
-
 #include <cstdint>
-#include <map>
-#include <mutex>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "service/limits.hpp"
 #include "service/map_archive.hpp"
 
 namespace waybreaker::service {
@@ -36,48 +34,56 @@ struct ReportRecord {
     std::string event = {};  // a JSON object: what clients that listen learn of it
 };
 
-// Thread-safe. Calls throw Problem if the database cannot be read or written; then nothing has changed.
+// A mission, and how far its last report has brought it.
+struct MissionSummary {
+    MissionRecord mission;
+    std::uint64_t sequence = 0;
+    int revision = 0;
+    double now = 0;
+    std::string status = {};
+};
+
+// The turn to revise a mission: while it lasts nobody else revises that mission, on any server of the store.
+class Turn {
+  public:
+    virtual ~Turn() = default;
+    // Adds what came of a report, as the last act of the turn. False if the mission is gone. Throws Problem if it
+    // cannot be stored, or the turn has lasted too long and has been given to another.
+    virtual bool add(const ReportRecord& report) = 0;
+};
+
+// Thread-safe. Calls throw Problem if the store cannot be read or written; then nothing has changed, but that a change
+// whose answer got lost may have been made.
 class MissionStore : public MapArchive {
   public:
-    // Opens or begins the file; no other process can open it until it is closed. Empty: in memory. Throws InputError,
-    // with the remedy, if it is a file of something else, of another version, damaged, or in use; it is unchanged then.
-    explicit MissionStore(const std::string& path);
+    virtual bool in_memory() const { return false; }
+    // Whether other servers may change it meanwhile.
+    virtual bool is_shared() const { return false; }
 
-    bool in_memory() const { return path_.empty(); }
+    virtual std::size_t count() = 0;
+    // By id, without their requests.
+    virtual std::vector<MissionSummary> missions() = 0;
+    virtual std::optional<MissionSummary> mission(const std::string& id) = 0;
 
-    // All missions, each with its last report, but without request, state, plan and event.
-    std::vector<std::pair<MissionRecord, ReportRecord>> missions();
-    MissionRecord mission(const std::string& id);
+    // False if `most` missions are live already. Throws Problem if another map has its map's id.
+    virtual bool add(const MissionRecord& mission, const ArchivedMap& map, const ReportRecord& first,
+                     std::size_t most) = 0;
+    // With its map, if no other mission is on that and nobody has sent it. False if there is no such mission.
+    virtual bool remove(const std::string& mission) = 0;
+    // Waits until it is free. The store must outlive it.
+    virtual std::unique_ptr<Turn> turn(const std::string& mission) = 0;
 
-    void add(const MissionRecord& mission, const ArchivedMap& map, const ReportRecord& first);
-    void add(const std::string& mission, const ReportRecord& report);
-    // With its map, if no other mission is on that.
-    void remove(const std::string& mission);
-
-    std::optional<ReportRecord> report(const std::string& mission, std::uint64_t sequence);
+    virtual std::optional<ReportRecord> report(const std::string& mission, std::uint64_t sequence) = 0;
     // The report that the plan of that revision came of.
-    std::optional<ReportRecord> planned(const std::string& mission, int revision);
+    virtual std::optional<ReportRecord> planned(const std::string& mission, int revision) = 0;
     // Those of higher sequence, in order, without their plans.
-    std::vector<ReportRecord> reports_after(const std::string& mission, std::uint64_t sequence);
-
-    bool holds(const std::string& id) const override;
-    std::vector<std::string> sent() const override;
-    std::optional<ArchivedMap> read(const std::string& id) override;
-
-  private:
-    template <class Act>
-    auto guarded(Act act);
-    void begin();
-    void list_archive();
-    std::vector<ReportRecord> select(const char* plan, const char* where, const std::string& mission,
-                                     std::int64_t number);
-    void insert(const std::string& mission, const ReportRecord& report);
-
-    std::string path_;
-    std::mutex mutex_;
-    SQLite::Database sql_;
-    mutable std::mutex archive_mutex_;      // so that asking for ids waits for no disk
-    std::map<std::string, bool> archived_;  // whether it was sent
+    virtual std::vector<ReportRecord> reports_after(const std::string& mission, std::uint64_t sequence) = 0;
 };
+
+using Log = std::function<void(const std::string& line)>;
+
+// Opens or begins the store: a file, a database by its URL, postgresql://..., or, empty, one in memory. Throws
+// InputError, with the remedy, if it cannot be had.
+std::unique_ptr<MissionStore> open_store(const std::string& where, const ServiceLimits& limits, const Log& log);
 
 }  // namespace waybreaker::service

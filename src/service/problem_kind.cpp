@@ -70,7 +70,8 @@ constexpr std::array kinds{
     ProblemKind{"busy", 503, "The server has too much to do", "Ask again after the seconds of Retry-After."},
     ProblemKind{"no-memory", 503, "There is no memory left for this", "Ask again when others are done."},
     ProblemKind{"store-unusable", 503, "The server cannot store this now",
-                "Nothing has changed. Ask again when there is room on its disk."},
+                "What was acknowledged before is safe. Ask again when there is room on its disk, or its "
+                "database is back: a report that was taken all the same gets its answer."},
     ProblemKind{"version-unknown", 505, "The version of HTTP is not known", "Ask with HTTP/1.1."},
     ProblemKind{"too-many-missions", 507, "As many missions are live as may be",
                 "Delete one that has ended, or start the server with a larger --live-missions."},

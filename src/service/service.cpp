@@ -151,7 +151,7 @@ class Service::Impl : public http::RequestHandler {
     Metrics metrics_;
     MemoryBudget budget_;
     MemoryBudget::Share bodies_{budget_, MemoryBudget::Use::request};
-    MissionStore mission_store_;
+    std::unique_ptr<MissionStore> mission_store_;
     PlannerPool planners_;  // gives back memory before the maps do
     MapStore store_;
     LiveMissions missions_;
@@ -166,10 +166,10 @@ class Service::Impl : public http::RequestHandler {
 Service::Impl::Impl(ServiceOptions options)
     : options_((require_safe(options), std::move(options))),
       budget_(options_.limits.memory),
-      mission_store_(options_.store),
+      mission_store_(open_store(options_.store, options_.limits, options_.log)),
       planners_(budget_),
-      store_(options_.maps, options_.limits, budget_, &mission_store_),
-      missions_(mission_store_, store_, planners_, options_.limits, budget_),
+      store_(options_.maps, options_.limits, budget_, mission_store_.get()),
+      missions_(*mission_store_, store_, planners_, options_.limits, budget_),
       importer_(options_.import_worker, options_.limits, budget_),
       sources_(importer_, budget_),
       listener_(listener_options(), *this),

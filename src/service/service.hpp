@@ -16,8 +16,10 @@
 namespace waybreaker::service {
 
 struct ServiceOptions {
-    std::string maps;   // a folder; empty: the built-in map and uploaded ones
-    std::string store;  // a file of live missions; empty: they are kept in memory, and gone with the service
+    std::string maps;  // a folder; empty: the built-in map and uploaded ones
+    // Of live missions: a file, or the postgresql:// URL of a database that services share. Empty: they are kept in
+    // memory, and gone with the service.
+    std::string store;
     std::string host = "127.0.0.1";
     int port = 0;  // 0: any that is free
     std::string token;

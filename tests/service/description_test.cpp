@@ -173,6 +173,7 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
         for (const auto& [method, operation] : item.items()) {
             if (method == "parameters") continue;
             for (const auto& [status, answer] : operation["responses"].items()) {
+                if (answer.value("$ref", "").ends_with("/StoreUnusable")) continue;  // shared_store_test.cpp
                 described.insert(method + ' ' + path + ' ' + status);
             }
             provoke(method, path);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "live_server.hpp"
+#include "test_store.hpp"
 
 namespace waybreaker::service {
 
@@ -26,6 +27,12 @@ inline const Json gap_blocked{{"found", {{{"cells", {{5, 6}}}}}}};
 
 class LiveMissionServer : public LiveServer {
   protected:
+    LiveMissionServer() {
+        if (on_postgres()) options_.store = new_store();
+    }
+
+    // For options_.store: one that goes on after end() and begin().
+    std::string new_store() const { return new_test_store(path("missions.db")); }
     // The path of a mission that has begun.
     std::string begun(const Json& request = rover_mission) const {
         return missions + "/" + post_json(missions, request, 201)["id"].get<std::string>();

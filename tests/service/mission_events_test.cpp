@@ -1,10 +1,9 @@
 // Events of live missions: one for each report, resumed after the last one a client has got.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <mutex>
 #include <thread>
 
+#include "listening.hpp"
 #include "live_mission.hpp"
 #include "wire.hpp"
 
@@ -12,68 +11,6 @@ namespace waybreaker::service {
 namespace {
 
 using namespace std::chrono_literals;
-
-// A client that listens until the server ends the stream, or it leaves.
-class Listening {
-  public:
-    Listening(httplib::Client client, const std::string& path, const httplib::Headers& headers = {})
-        : client_(std::move(client)), thread_([this, path, headers] { listen(path, headers); }) {}
-    ~Listening() { leave(); }
-
-    void leave() {
-        leaving_ = true;
-        client_.stop();
-        if (thread_.joinable()) thread_.join();
-    }
-    // Waits for the server to end it.
-    void to_the_end() { thread_.join(); }
-    bool ended_well() const { return ended_well_; }
-    std::string text() const {
-        const std::scoped_lock lock(mutex_);
-        return text_;
-    }
-    std::vector<Json> await(std::size_t count) const {
-        const auto deadline = std::chrono::steady_clock::now() + 30s;
-        while (events().size() < count && std::chrono::steady_clock::now() < deadline)
-            std::this_thread::sleep_for(10ms);
-        return events();
-    }
-    // The data of all that came whole, with their ids.
-    std::vector<Json> events() const {
-        std::vector<Json> all;
-        const std::string text = this->text();
-        for (std::size_t begin = 0; begin < text.size();) {
-            const std::size_t end = text.find("\n\n", begin);
-            if (end == std::string::npos) break;
-            std::istringstream lines(text.substr(begin, end - begin));
-            Json event = Json::object();
-            for (std::string line; std::getline(lines, line);) {
-                const std::size_t colon = line.find(": ");
-                if (colon != std::string::npos) event[line.substr(0, colon)] = line.substr(colon + 2);
-            }
-            if (event.contains("data")) all.push_back(event);
-            begin = end + 2;
-        }
-        return all;
-    }
-
-  private:
-    void listen(const std::string& path, const httplib::Headers& headers) {
-        const auto result = client_.Get(path, headers, [this](const char* bytes, std::size_t size) {
-            const std::scoped_lock lock(mutex_);
-            text_.append(bytes, size);
-            return !leaving_;
-        });
-        ended_well_ = result && result->status == 200;
-    }
-
-    httplib::Client client_;
-    std::atomic<bool> leaving_ = false;
-    std::atomic<bool> ended_well_ = false;
-    mutable std::mutex mutex_;
-    std::string text_;
-    std::thread thread_;
-};
 
 class MissionEventsTest : public LiveMissionServer {
   protected:
@@ -85,12 +22,6 @@ class MissionEventsTest : public LiveMissionServer {
         }
     }
 };
-
-std::vector<std::string> ids_of(const std::vector<Json>& events) {
-    std::vector<std::string> ids;
-    for (const Json& event : events) ids.push_back(event.value("id", ""));
-    return ids;
-}
 
 TEST_F(MissionEventsTest, TellWhatChangesUntilTheMissionIsDeleted) {
     begin();
@@ -118,7 +49,7 @@ TEST_F(MissionEventsTest, TellWhatChangesUntilTheMissionIsDeleted) {
 }
 
 TEST_F(MissionEventsTest, AreResumed) {
-    options_.store = path("missions.db");
+    options_.store = new_store();
     begin();
     const std::string path = begun();
     for (int i = 1; i <= 3; ++i) post_json(path + "/reports", state(2 * i, i));

@@ -190,6 +190,7 @@ TEST_F(MissionsTest, NoMoreAreLiveThanMayBe) {
 }
 
 TEST_F(MissionsTest, MissionsInMemoryAreWithinItsLimit) {
+    options_.store = "";
     options_.limits.memory = std::size_t{8} << 20;
     begin();
     const std::string path = begun();
