@@ -36,6 +36,9 @@ class Airspace {
     // Whether the straight flight meets no interior.
     [[nodiscard]] bool is_clear(Point a, Point b) const { return is_open() || is_clear_of_zones(a, b); }
 
+    // Whether a box of cells, their areas included, has a place in common with the box round all zones.
+    [[nodiscard]] bool comes_near(Cell least, Cell most) const;
+
     // Of the shortest way, in cells; infinity where there is none. The same in both directions. REQUIRES: points on the
     // map.
     [[nodiscard]] double length(Point a, Point b) const {
@@ -43,6 +46,8 @@ class Airspace {
     }
     // That way: both ends, and between them where it bends; empty where there is none.
     [[nodiscard]] std::vector<Point> way(Point a, Point b) const;
+    // The same from the first of some points to the last, by way of all of them in their order. REQUIRES: there is one.
+    [[nodiscard]] std::vector<Point> way_past(std::span<const Point> stops) const;
 
   private:
     class Parts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -40,9 +41,18 @@ class Airspace::Parts {
                 }
             }
         }
+        for (const Shape& shape : shapes_) {
+            least_ = {std::min(least_.x, shape.least.x), std::min(least_.y, shape.least.y)};
+            most_ = {std::max(most_.x, shape.most.x), std::max(most_.y, shape.most.y)};
+        }
         link();
         ways_.resize(corners_.size());
         asked_ = std::vector<Once>(corners_.size());
+    }
+
+    bool comes_near(Cell least, Cell most) const {
+        return overlap(zones::spot_of({least.x - 0.5, least.y - 0.5}), zones::spot_of({most.x + 0.5, most.y + 0.5}),
+                       least_, most_);
     }
 
     bool allows(Spot at) const {
@@ -231,6 +241,8 @@ class Airspace::Parts {
     }
 
     std::vector<Shape> shapes_;
+    Spot least_{INT64_MAX, INT64_MAX};  // of the box round all of them
+    Spot most_{INT64_MIN, INT64_MIN};
     std::vector<Corner> corners_;
     std::vector<std::vector<Link>> links_;  // by corner
     // By corner, of those that were asked for.
@@ -250,6 +262,10 @@ bool Airspace::allows(Point at) const {
     return is_open() || parts_->allows(parts_->settled(at));
 }
 
+bool Airspace::comes_near(Cell least, Cell most) const {
+    return !is_open() && parts_->comes_near(least, most);
+}
+
 bool Airspace::is_clear_of_zones(Point a, Point b) const {
     return parts_->is_clear(parts_->settled(a), parts_->settled(b));
 }
@@ -261,6 +277,15 @@ double Airspace::bent_length(Point a, Point b) const {
 std::vector<Point> Airspace::way(Point a, Point b) const {
     if (is_open()) return {a, b};
     return parts_->way(a, b);
+}
+
+std::vector<Point> Airspace::way_past(std::span<const Point> stops) const {
+    std::vector<Point> all(stops.begin(), stops.begin() + std::ptrdiff_t(std::min<std::size_t>(stops.size(), 1)));
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+        const std::vector<Point> leg = way(stops[i - 1], stops[i]);
+        if (!leg.empty()) all.insert(all.end(), leg.begin() + 1, leg.end());
+    }
+    return all;
 }
 
 }  // namespace waybreaker

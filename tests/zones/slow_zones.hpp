@@ -123,6 +123,32 @@ inline double slow_length(const std::vector<Zone>& zones, int width, int height,
     }
 }
 
+// Of a ring within a cell, by cutting off what lies beyond each of its sides (Sutherland and Hodgman 1974).
+inline double area_within(std::vector<Point> ring, Cell cell) {
+    for (int cut_at = 0; cut_at < 4; ++cut_at) {
+        const auto depth = [&](Point p) {
+            const double along = cut_at % 2 == 0 ? p.x - cell.x : p.y - cell.y;
+            return cut_at < 2 ? along + 0.5 : 0.5 - along;
+        };
+        std::vector<Point> cut;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i];
+            const Point b = ring[(i + 1) % ring.size()];
+            if (depth(a) >= 0) cut.push_back(a);
+            if ((depth(a) >= 0) == (depth(b) >= 0)) continue;
+            const double share = depth(a) / (depth(a) - depth(b));
+            cut.emplace_back(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+        }
+        ring = std::move(cut);
+    }
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point b = ring[(i + 1) % ring.size()];
+        area += (ring[i].x - cell.x) * (b.y - cell.y) - (ring[i].y - cell.y) * (b.x - cell.x);
+    }
+    return std::abs(area) / 2;
+}
+
 inline rc::Gen<Point> arbitrary_corner(int size) {
     return rc::gen::map(rc::gen::pair(rc::gen::inRange(-2, size + 3), rc::gen::inRange(-2, size + 3)),
                         [](std::pair<int, int> p) { return Point(p.first, p.second); });

@@ -51,32 +51,6 @@ TEST(Zone, IsSimple) {
     EXPECT_TRUE(fault_of(zone_of({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{5, 5}, {12, 5}, {12, 7}}})).starts_with(crossed));
 }
 
-// The polygon within a cell, by cutting off what lies beyond each of its sides (Sutherland and Hodgman 1974).
-double area_within(std::vector<Point> ring, Cell cell) {
-    for (int cut_at = 0; cut_at < 4; ++cut_at) {
-        const auto depth = [&](Point p) {
-            const double along = cut_at % 2 == 0 ? p.x - cell.x : p.y - cell.y;
-            return cut_at < 2 ? along + 0.5 : 0.5 - along;
-        };
-        std::vector<Point> cut;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point a = ring[i];
-            const Point b = ring[(i + 1) % ring.size()];
-            if (depth(a) >= 0) cut.push_back(a);
-            if ((depth(a) >= 0) == (depth(b) >= 0)) continue;
-            const double share = depth(a) / (depth(a) - depth(b));
-            cut.emplace_back(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
-        }
-        ring = std::move(cut);
-    }
-    double area = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point b = ring[(i + 1) % ring.size()];
-        area += (ring[i].x - cell.x) * (b.y - cell.y) - (ring[i].y - cell.y) * (b.x - cell.x);
-    }
-    return std::abs(area) / 2;
-}
-
 RC_GTEST_PROP(ZoneCells, AreThoseWhoseAreaItsInteriorMeets, ()) {
     Zone zone = any_zone(20);
     // Corners on corners of cells as well, and on their sides.
