@@ -1,10 +1,12 @@
 // The default mission, whole, for 0 to 8 removals: how long it takes to plan, and how far its plans lie above the floor
-// (reference/floors.csv in the shared folder: below it is no plan).
+// (reference/floors.csv in the shared folder: below it is no plan). Then the same vehicles alone, breaking what is in
+// their way.
 //
 //     bench_exact [--repeats N] [--against FILE.csv]
 //
 // FILE.csv: another program's times for n = 3, as of bench_missions.
 #include <cstdio>
+#include <random>
 
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
@@ -84,6 +86,21 @@ class Bench {
         return measured;
     }
 
+    // Each obstacle costs 1 to 100 cells to break. One entry a mission.
+    std::vector<double> seconds_breaking() {
+        std::vector<double> seconds;
+        for (const CityMission& mission : missions_) {
+            const Map& map = maps_.at(mission.city);
+            std::mt19937 random(1);
+            std::vector<double> costs(map.obstacles().size() + 1);
+            for (double& cost : costs) cost = 1 + double(random() % 100);
+            const auto cost = [&](const Obstacle& obstacle) { return costs[obstacle.id.value]; };
+            seconds.push_back(
+                least_seconds(repeats_, [&] { (void)planner_.path_through(map, mission.start, mission.goal, cost); }));
+        }
+        return seconds;
+    }
+
   private:
     int repeats_;
     std::vector<CityMission> missions_;
@@ -122,6 +139,7 @@ void run(const Arguments& arguments) {
         if (measured.without_plan > 0) std::printf("    %zu without a plan\n", measured.without_plan);
         if (removals == 3) three = measured;
     }
+    print_milliseconds("a vehicle that breaks by itself", bench.seconds_breaking());
     if (!arguments.against.empty()) print_ratios(arguments.against, bench.missions(), three);
 }
 

@@ -142,6 +142,14 @@ std::vector<Way> ways(const Map& map, Planner& planner, Searcher& searcher, Cros
         return crossing.find(map, driver.start, driver.goal,
                              {.crossings = crossings, .weight = weight, .limits = limits});
     };
+    const auto through = [&](const PathThroughOptions& options) {
+        return [&map, &planner, options](const Mission& mission) {
+            const Agent& driver = mission.first(AgentKind::ground);
+            const auto ten = [](const Obstacle&) { return 10.0; };
+            const PathThrough way = planner.path_through(map, driver.start, driver.goal, ten, options);
+            return way.status == PlanStatus::solved ? way.cost : infinite_unless({});
+        };
+    };
     return {
         {"Searcher, Theta*, nothing breached",
          [&](const Mission& mission) {
@@ -162,6 +170,11 @@ std::vector<Way> ways(const Map& map, Planner& planner, Searcher& searcher, Cros
                                         mission.rules, best.crossed})
                  .makespan;
          }},
+        {"Planner::path_through, 10 a wall", through({})},
+        {"  the same, .most = 1", through({.most = 1})},
+        {"  the same, .most = 2", through({.most = 2})},
+        {"  the same, .most = 3", through({.most = 3})},
+        {"  the same, .most = 3, .weight = 1.1", through({.most = 3, .weight = 1.1})},
         {"Planner, Selection::greedy", plan({.select = Selection::greedy}, {})},
         {"  the same, .expansions = 2000", plan({.select = Selection::greedy}, {.expansions = 2000})},
         {"Planner (exact)", plan({}, {})},

@@ -15,6 +15,7 @@
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
+#include "waybreaker/path_through.hpp"
 #include "waybreaker/plan.hpp"
 
 namespace waybreaker {
@@ -86,6 +87,12 @@ class Planner {
     // for this alone, and of several ground agents there is the plan only. Not explained, but for the plan.
     std::vector<Plan> alternatives(const Map& map, const Mission& mission, double share, const Method& method = {},
                                    const Limits& limits = {});
+
+    // The cheapest way of one agent that breaks by itself what is in its way, one obstacle after the other: no mission,
+    // no aircraft, one search. Proven, unless the weight is above 1 or a limit ends it. No way where start or goal lie
+    // in an obstacle. Throws InputError where a cost is below 0 or no number, and on options out of range.
+    PathThrough path_through(const Map& map, Cell start, Cell goal, const BreakingCost& cost,
+                             const PathThroughOptions& options = {});
 
     // The same by the default method.
     Plan plan(const Map& map, const Mission& mission, const Limits& limits) { return plan(map, mission, {}, limits); }

@@ -15,6 +15,7 @@
 #include "waybreaker/method.hpp"          // IWYU pragma: export
 #include "waybreaker/mission.hpp"         // IWYU pragma: export
 #include "waybreaker/movingai.hpp"        // IWYU pragma: export
+#include "waybreaker/path_through.hpp"    // IWYU pragma: export
 #include "waybreaker/place_error.hpp"     // IWYU pragma: export
 #include "waybreaker/plan.hpp"            // IWYU pragma: export
 #include "waybreaker/planner.hpp"         // IWYU pragma: export

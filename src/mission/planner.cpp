@@ -19,6 +19,7 @@
 #include "mission/explain.hpp"
 #include "mission/instead.hpp"
 #include "mission/late_openings.hpp"
+#include "mission/path_through.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
@@ -136,6 +137,11 @@ std::vector<Plan> Planner::alternatives(const Map& map, const Mission& mission, 
                                         const Limits& limits) {
     require_range(share, 0, 1, "the share by which alternatives may be worse");
     return plans(map, mission, method, limits, share);
+}
+
+PathThrough Planner::path_through(const Map& map, Cell start, Cell goal, const BreakingCost& cost,
+                                  const PathThroughOptions& options) {
+    return waybreaker::path_through(memory_->crossing, map, start, goal, cost, options);
 }
 
 std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const Method& method, const Limits& limits,

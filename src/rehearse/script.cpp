@@ -40,13 +40,19 @@ Stop& stop_at(Script& script, const std::vector<Waypoint>& path, std::size_t poi
     return *script.insert(there, stop);
 }
 
-// The point of an aircraft's path at which a breach is done.
+// The point of an aircraft's path at which a breach is done. An aircraft that is revised while it leaves the breach
+// cell begins beside its centre, by less than one can see.
 std::optional<std::size_t> end_of(const Itinerary& agent, const Breach& breach) {
     if (agent.kind != AgentKind::air || (!breach.by.empty() && breach.by != agent.id)) return std::nullopt;
+    std::optional<std::size_t> end;
+    double least = 0.5;  // cells
     for (std::size_t i = 0; i < agent.path.size(); ++i) {
-        if (place(agent.path[i]) == Point(breach.at) && same_time(agent.path[i].t, breach.cleared_at)) return i;
+        const double away = distance(place(agent.path[i]), Point(breach.at));
+        if (away >= least || !same_time(agent.path[i].t, breach.cleared_at)) continue;
+        end = i;
+        least = away;
     }
-    return std::nullopt;
+    return end;
 }
 
 // Where a vehicle stops before an obstacle that is to be opened by others.

@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "ascii_map.hpp"
 #include "input_error.hpp"
 #include "live/underway.hpp"
+#include "rehearse/script.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
@@ -72,6 +74,23 @@ RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
     RC_CLASSIFY(rehearsal.arrived == 0, "none arrives");
     RC_CLASSIFY(revised > 0, "some are revised");
     RC_ASSERT(faults(rehearsal) == "");
+}
+
+// As after a breach that has failed when the aircraft was about to leave.
+TEST(Rehearse, AnAircraftBreachesFromBesideTheCentreOfItsCell) {
+    const Map map = Map::from_rows({"..A..", "..A..", "..A.."});
+    const Mission mission = ground_and_air({0, 1}, {4, 1});
+    Plan plan = Planner().plan(map, mission);
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    for (Itinerary& agent : plan.agents) {
+        if (agent.kind == AgentKind::ground) continue;
+        for (Waypoint& point : agent.path) point.x += 1e-10;
+    }
+    int planned = 0;
+    for (const rehearsal::Script& script : rehearsal::scripts_of(map, mission, plan, {})) {
+        for (const rehearsal::Stop& stop : script) planned += int(stop.breaches.size());
+    }
+    EXPECT_EQ(planned, 1);
 }
 
 RC_GTEST_PROP(Rehearse, RunsAreTheSameWhateverTheThreadsAndTheirNumber, ()) {

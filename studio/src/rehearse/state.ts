@@ -47,12 +47,15 @@ function stopsOn(path: readonly TimedPoint[]): Stop[] {
   return path.map(([x, y, t], position) => ({ position, x, y, arrives: t, leaves: t }));
 }
 
+// Less than one can see: an aircraft that is revised while it leaves a breach cell begins beside its centre.
+const beside = 1e-6;
+
 // An aircraft that stands is at work on what it clears next, if it does so there.
 function doingOf({ removed }: Plan, { id, kind }: Agent, { at, stands }: Place, now: number): AgentState["doing"] {
   if (!stands) return "driving";
   if (kind === "ground") return "waiting";
   const isAtWork = removed.some(
-    ({ by = id, at: [x, y], cleared_at: cleared }) => by === id && cleared > now && x === at[0] && y === at[1],
+    ({ by = id, at: [x, y], cleared_at: cleared }) => by === id && cleared > now && Math.hypot(x - at[0], y - at[1]) < beside,
   );
   return isAtWork ? "breaching" : "driving";
 }
