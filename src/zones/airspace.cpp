@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "zones/seen_memory.hpp"
 #include "zones/shape.hpp"
 
 namespace waybreaker {
@@ -190,11 +191,13 @@ class Airspace::Parts {
 
     // Corners at which a flight from there may bend first.
     std::vector<std::size_t> seen_from(Spot at) const {
-        std::vector<std::size_t> seen;
-        for (std::size_t i = 0; i < corners_.size(); ++i) {
-            if (is_tangent(at, corners_[i]) && is_clear(at, corners_[i].at)) seen.push_back(i);
-        }
-        return seen;
+        return seen_.of(at, [&] {
+            std::vector<std::size_t> seen;
+            for (std::size_t i = 0; i < corners_.size(); ++i) {
+                if (is_tangent(at, corners_[i]) && is_clear(at, corners_[i].at)) seen.push_back(i);
+            }
+            return seen;
+        });
     }
 
     // Dijkstra 1959, when first asked for.
@@ -248,6 +251,7 @@ class Airspace::Parts {
     // By corner, of those that were asked for.
     mutable std::vector<Ways> ways_;
     mutable std::vector<Once> asked_;
+    mutable zones::SeenMemory seen_;
 };
 
 Airspace::Airspace(std::span<const Zone> zones, int width, int height) {
