@@ -13,6 +13,7 @@
 #include "plan_options.hpp"
 #include "team_options.hpp"
 #include "waybreaker/error.hpp"
+#include "zone_options.hpp"
 
 namespace waybreaker::apps {
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
@@ -169,6 +170,7 @@ void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules
     if (options.breach_time) rules.breach_time.per_obstacle = time_of(*options.breach_time);
     if (options.breach_time_per_cell) rules.breach_time.per_cell = time_of(*options.breach_time_per_cell);
     if (!options.force.empty()) rules.force = options.force;
+    if (!options.zones.empty()) rules.zones = read_zones_file(options.zones, file);
     if (options.separation) rules.separation = in_cells(*options.separation, file, radii);
 }
 

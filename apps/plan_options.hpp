@@ -44,6 +44,7 @@ struct PlanOptions {
     std::vector<ObstacleId> protect;
     std::vector<site::TagFilter> protect_tags;  // beside these
     std::vector<ObstacleId> force;
+    std::string zones;  // a file
     std::optional<Measure> separation;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;

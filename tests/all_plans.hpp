@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "model/timeline.hpp"
@@ -15,8 +17,12 @@ namespace waybreaker {
 
 class AllPlans {
   public:
-    AllPlans(const Map& map, const Mission& mission)
-        : map_(map), rules_(mission.rules), driver_(mission.first(AgentKind::ground)) {
+    // How far an aircraft flies from one point to another; infinitely where it cannot.
+    using Flown = std::function<double(Point, Point)>;
+
+    AllPlans(
+        const Map& map, const Mission& mission, Flown flown = [](Point a, Point b) { return distance(a, b); })
+        : map_(map), rules_(mission.rules), driver_(mission.first(AgentKind::ground)), flown_(std::move(flown)) {
         for (const Agent& agent : mission.agents) {
             if (agent.kind == AgentKind::air) aircraft_.push_back(&agent);
         }
@@ -105,7 +111,7 @@ class AllPlans {
             if (visited[i]) continue;
             visited[i] = true;
             for (const Cell c : map_.boundary(chosen_[i])) {
-                const double there = flight.time + distance(flight.at, c) / agent.speed;
+                const double there = flight.time + flown_(flight.at, c) / agent.speed;
                 cleared_[i] = there + rules_.breach_time.of(map_.obstacle(chosen_[i]));
                 fly({flight.aircraft, c, cleared_[i], flight.breached + 1, flight.last, flight.sum}, visited);
             }
@@ -116,7 +122,7 @@ class AllPlans {
     // The next one takes off, or all are at home.
     void land(const Flight& flight, std::vector<bool>& visited) {
         const Agent& agent = *aircraft_[flight.aircraft];
-        const double home = flight.time + distance(flight.at, agent.goal) / agent.speed;
+        const double home = flight.time + flown_(flight.at, agent.goal) / agent.speed;
         const double last = std::max(flight.last, home);
         const double sum = flight.sum + home;
         const std::size_t next = flight.aircraft + 1;
@@ -166,6 +172,7 @@ class AllPlans {
     const Map& map_;
     const Rules& rules_;
     const Agent& driver_;
+    Flown flown_;
     std::vector<const Agent*> aircraft_;
     std::vector<Cell> cells_;
     std::vector<Move> moves_;

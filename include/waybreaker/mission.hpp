@@ -13,9 +13,11 @@
 #include <string_view>
 #include <vector>
 
+#include "waybreaker/airspace.hpp"
 #include "waybreaker/body.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/words.hpp"
+#include "waybreaker/zone.hpp"
 
 namespace waybreaker {
 
@@ -75,6 +77,8 @@ struct Agent {
     // `ready_at`. Where and when they begin, the agent begins; others keep clear of a ground agent on it.
     std::vector<Waypoint> approach = {};
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
+    // Where an air agent may fly. Of a mission, Rules::zones say it, and planning sets this.
+    Airspace airspace = {};
 
     // Where it is when it is ready: where its flight or drive begins.
     Point begin() const { return from.value_or(Point(start)); }
@@ -108,6 +112,8 @@ struct Rules {
     // may be tried again. Planning passes both by (revise.hpp).
     std::vector<ObstacleId> failed = {};
     int retries = 0;
+    // What agents keep out of. Obstacles that reach into a zone for vehicles are not removed.
+    std::vector<Zone> zones = {};
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;

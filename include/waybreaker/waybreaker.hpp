@@ -2,6 +2,7 @@
 // library alone. What plans are made of, search by search: advanced.hpp.
 #pragma once
 
+#include "waybreaker/airspace.hpp"        // IWYU pragma: export
 #include "waybreaker/body.hpp"            // IWYU pragma: export
 #include "waybreaker/cell.hpp"            // IWYU pragma: export
 #include "waybreaker/check.hpp"           // IWYU pragma: export
@@ -24,3 +25,4 @@
 #include "waybreaker/state.hpp"           // IWYU pragma: export
 #include "waybreaker/version.hpp"         // IWYU pragma: export
 #include "waybreaker/words.hpp"           // IWYU pragma: export
+#include "waybreaker/zone.hpp"            // IWYU pragma: export

@@ -70,6 +70,8 @@ export interface Rules {
   /** In cells, between vehicles; 0. */
   separation?: number;
   at_goal?: "stay" | "leave";
+  /** What agents keep out of: a GeoJSON FeatureCollection of polygons in cells, with `crs: "cells"` (docs/crews.md). */
+  zones?: Record<string, unknown>;
 }
 
 export interface Method {

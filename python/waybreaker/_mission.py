@@ -74,7 +74,7 @@ class Rules:
     ``{"obstacle": number, "at": time}``. Of a mission under way, ``failed`` are numbers of obstacles whose breach has
     failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and
     ``breach_time_per_cell`` are in units of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share
-    of the objective, 0 to 1.
+    of the objective, 0 to 1. ``zones``: what agents keep out of, GeoJSON in cells as in docs/crews.md.
     """
 
     removals: Optional[int] = None
@@ -92,6 +92,7 @@ class Rules:
     minimise_demolition: Optional[float] = None
     separation: Optional[float] = None
     at_goal: Optional[Literal["stay", "leave"]] = None
+    zones: Optional[Mapping[str, Any]] = None
 
 
 @dataclass(frozen=True)

@@ -86,12 +86,13 @@ Violations judge_explained(const Plan& plan, const Itinerary& agent, double read
 Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
     Violations all = judge_numbers(plan);
     if (!all.empty()) return all;
+    all = judge_zones(map, mission, plan);
     if (mission.is_team()) {
-        all = judge_agents(mission, plan);
-        if (all.empty()) append(all, judge_team(map, mission, plan, terms));
+        const Violations others = judge_agents(mission, plan);
+        append(all, others.empty() ? judge_team(map, mission, plan, terms) : others);
         return all;
     }
-    all = judge_removals(map, plan, terms);
+    append(all, judge_removals(map, plan, terms));
     append(all, judge_capacity(mission, plan));
     append(all, judge_agents(mission, plan));
     for (const Outcome* outcome : {&plan.before, &plan.after}) {

@@ -117,6 +117,9 @@ Violations judge_separation(const std::vector<Disc>& discs, const Terms& terms);
 // A plan of a team, all of it.
 Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 
+// That agents keep out of zones, and what is removed does not reach into one for vehicles.
+Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan);
+
 // What waits for what. Precondition: nothing else is wrong with the plan.
 Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 

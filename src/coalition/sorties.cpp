@@ -64,7 +64,7 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
                 if (problem_.given_opening(targets_[target].obstacle)) continue;
                 if (std::ranges::any_of(sorties, [&](const Tour& s) { return std::ranges::any_of(s, is_target); }))
                     continue;
-                const auto away = [&](Cell c) { return distance(from, c); };
+                const auto away = [&](Cell c) { return aircraft.airspace.length(from, c); };
                 sorties[a].push_back({target, *std::ranges::min_element(targets_[target].cells, {}, away)});
                 self(self, a, given + 1);
                 sorties[a].pop_back();
@@ -119,7 +119,8 @@ void SortiePlanner::search_ways(const Set& set) {
 
 void SortiePlanner::prepare(const Set& set) {
     search_ways(set);
-    targets_ = targets_of(problem_.map(), set);
+    const Agent& scout = *problem_.aircraft().front();  // all may fly in the same airspace
+    targets_ = targets_of(problem_.map(), set, scout.airspace, scout.begin());
     std::vector<double> stays;
     for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
     precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));

@@ -1,7 +1,8 @@
 // From coarse to fine: the targets' cells are grouped into pieces, boxes of cells. Dynamic programming over (targets
 // still to visit, piece where the air agent is), after Held and Karp 1962, with a hop as long as the gap between two
 // boxes and no cost inside a box, gives lower bounds: pieces that no tour as short as the best one known can use are
-// dropped, the others are split, until all pieces are single cells and the bounds are lengths.
+// dropped, the others are split, until all pieces are single cells and the bounds are lengths. Round zones a hop is as
+// long as the way between two cells, and no less than their gap; so the bounds hold there, too.
 //
 // Rounds run from start and from goal in turn, so that the bounds of the round before complete those of this one: "from
 // here on to the goal" plus "from the start to here". With deadlines the rounds from start drop what is late: to be
@@ -42,11 +43,11 @@ double latest_arrival(const Deadlines& deadlines, Set before, std::size_t target
     return latest;
 }
 
-bool in_time(const Deadlines& deadlines, Point start, const Tour& tour) {
+bool in_time(const Deadlines& deadlines, Point start, const Tour& tour, const Airspace& air) {
     Set before = 0;
     double flown = 0;
     for (const Stop& stop : tour) {
-        flown += distance(start, stop.at);
+        flown += air.length(start, stop.at);
         if (flown > latest_arrival(deadlines, before, stop.target)) return false;
         before |= only(stop.target);
         start = stop.at;
@@ -54,11 +55,8 @@ bool in_time(const Deadlines& deadlines, Point start, const Tour& tour) {
     return true;
 }
 
-double gap(const auto& a, const Box& b) {
-    return std::sqrt(squared_gap(a, b));
-}
-double gap(Point a, Point b) {
-    return distance(a, b);
+bool is_cell(const Box& box) {
+    return box.min == box.max;
 }
 
 // A round finds, for every set of targets and every piece of another target, the least length of a way from the piece
@@ -68,9 +66,10 @@ class Round {
     // `pieces` come in order of target and of Piece::whole, an index into the pieces of the round `before`. That one
     // ran from the far end; the first round does without. `deadlines`, if any: the near end is the start.
     Round(std::vector<Piece> pieces, std::size_t targets, Point near_end, Point far_end, double limit,
-          const Deadlines* deadlines, const Round* before)
+          const Deadlines* deadlines, const Airspace& air, const Round* before)
         : pieces_(std::move(pieces)),
           deadlines_(deadlines),
+          air_(&air),
           all_(only(targets) - 1),
           near_end_(near_end),
           far_end_(far_end),
@@ -140,6 +139,15 @@ class Round {
         for (std::size_t g = groups_.size(); g-- > 0;) first_group_[groups_[g].target] = g;
     }
 
+    // The least way between two cells that they can hold.
+    double gap(Point a, const Box& b) const {
+        return is_cell(b) && !air_->is_open() ? air_->length(a, b.min) : std::sqrt(squared_gap(a, b));
+    }
+    double gap(const Box& a, const Box& b) const {
+        return is_cell(a) && !air_->is_open() ? gap(Point(a.min), b) : std::sqrt(squared_gap(a, b));
+    }
+    double gap(Point a, Point b) const { return air_->length(a, b); }
+
     double& bound_of(Set set, std::size_t piece) { return bounds_[set * pieces_.size() + piece]; }
     double bound_of(Set set, std::size_t piece) const { return bounds_[set * pieces_.size() + piece]; }
     double& group_bound_of(Set set, std::size_t g) { return group_bounds_[set * groups_.size() + g]; }
@@ -201,6 +209,7 @@ class Round {
 
     std::vector<Piece> pieces_;
     const Deadlines* deadlines_;
+    const Airspace* air_;
     Set all_;
     Point near_end_;
     Point far_end_;
@@ -212,22 +221,23 @@ class Round {
 };
 
 // The targets, each with the cells that a tour of some length can visit, were it the only target.
-std::vector<Target> in_reach(Point start, Point goal, std::span<const Target> targets, double length) {
+std::vector<Target> in_reach(Point start, Point goal, std::span<const Target> targets, const Airspace& air,
+                             double length) {
     std::vector<Target> near(targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
         near[i].obstacle = targets[i].obstacle;
         std::ranges::copy_if(targets[i].cells, std::back_inserter(near[i].cells),
-                             [&](Cell c) { return distance(start, c) + distance(c, goal) <= length; });
+                             [&](Cell c) { return air.length(start, c) + air.length(c, goal) <= length; });
     }
     return near;
 }
 
 // The shortest tour within the limit that meets the deadlines, if there are any.
 std::optional<Tour> search(Point start, Point goal, std::span<const Target> targets, double limit,
-                           const Deadlines* deadlines) {
+                           const Deadlines* deadlines, const Airspace& air) {
     assert(targets.size() <= exact_flight_limit);
     limit *= 1 + rounding;
-    const std::vector<Target> near = in_reach(start, goal, targets, limit);
+    const std::vector<Target> near = in_reach(start, goal, targets, air, limit);
     std::vector<Target> parts = near;  // splitting a piece sorts its cells
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -235,12 +245,12 @@ std::optional<Tour> search(Point start, Point goal, std::span<const Target> targ
         pieces.push_back(make_piece(i, parts[i].cells, i));
     }
     const auto learn_from = [&](const Tour& tour) {
-        if (!deadlines || in_time(*deadlines, start, tour)) {
-            limit = std::min(limit, tour_length(start, tour, goal) * (1 + rounding));
+        if (!deadlines || in_time(*deadlines, start, tour, air)) {
+            limit = std::min(limit, tour_length(start, tour, goal, air) * (1 + rounding));
         }
     };
 
-    Round round(std::move(pieces), targets.size(), start, goal, limit, deadlines, nullptr);
+    Round round(std::move(pieces), targets.size(), start, goal, limit, deadlines, air, nullptr);
     // Lateness is seen from the start. Without deadlines the last round runs from the goal, so that ties are settled
     // from the start on.
     const bool last_from_goal = !deadlines;
@@ -251,11 +261,11 @@ std::optional<Tour> search(Point start, Point goal, std::span<const Target> targ
             Tour guess = round.best_tour();
             if (!from_goal) std::ranges::reverse(guess);
             learn_from(guess);
-            learn_from(improved_tour(start, std::move(guess), goal, near));
+            learn_from(improved_tour(start, std::move(guess), goal, near, air));
         }
         from_goal = !from_goal;
         round = Round(round.useful_parts(), targets.size(), from_goal ? goal : start, from_goal ? start : goal, limit,
-                      from_goal ? nullptr : deadlines, &round);
+                      from_goal ? nullptr : deadlines, air, &round);
     }
     if (round.least_length() > limit) return std::nullopt;
     Tour tour = round.best_tour();
@@ -265,14 +275,14 @@ std::optional<Tour> search(Point start, Point goal, std::span<const Target> targ
 
 }  // namespace
 
-Tour shortest_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known) {
+Tour shortest_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known, const Airspace& air) {
     assert(known.size() == targets.size());
-    return search(start, goal, targets, tour_length(start, known, goal), nullptr).value_or(known);
+    return search(start, goal, targets, tour_length(start, known, goal, air), nullptr, air).value_or(known);
 }
 
 std::optional<Tour> shortest_tour_in_time(Point start, Point goal, std::span<const Target> targets,
-                                          const Deadlines& deadlines, double limit) {
-    return search(start, goal, targets, limit, &deadlines);
+                                          const Deadlines& deadlines, double limit, const Airspace& air) {
+    return search(start, goal, targets, limit, &deadlines, air);
 }
 
 }  // namespace waybreaker

@@ -12,7 +12,8 @@ namespace waybreaker {
 // comes first in order of target, then scan order; then the second; and so on. `known` is any tour of the targets; the
 // shorter it is, the faster this is. At most exact_flight_limit targets. Time and memory: 2^targets times the cells
 // that a tour about as short as the shortest can use.
-Tour shortest_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known);
+Tour shortest_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known,
+                   const Airspace& air = {});
 
 // Deadlines by which the air agent must be done with each target. Time is given in cells, as what it could fly
 // meanwhile.
@@ -24,6 +25,6 @@ struct Deadlines {
 // The shortest of the tours within the limit (stays not counted) that meet the deadlines; none if there is none.
 // Deterministic; the nearer the limit, the faster. At most exact_flight_limit targets.
 std::optional<Tour> shortest_tour_in_time(Point start, Point goal, std::span<const Target> targets,
-                                          const Deadlines& deadlines, double limit);
+                                          const Deadlines& deadlines, double limit, const Airspace& air = {});
 
 }  // namespace waybreaker

@@ -11,14 +11,14 @@ namespace {
 
 class LocalSearch {
   public:
-    LocalSearch(Point start, Tour tour, Point goal, std::span<const Target> targets)
-        : start_(start), tour_(std::move(tour)), goal_(goal) {
+    LocalSearch(Point start, Tour tour, Point goal, std::span<const Target> targets, const Airspace& air)
+        : start_(start), tour_(std::move(tour)), goal_(goal), air_(air) {
         // Only cells that a shorter tour could visit, were each its only stop.
-        const double length = tour_length(start, tour_, goal);
+        const double length = tour_length(start, tour_, goal, air);
         for (const Target& target : targets) {
             std::vector<Cell>& cells = cells_.emplace_back();
             std::ranges::copy_if(target.cells, std::back_inserter(cells),
-                                 [&](Cell c) { return distance(start, c) + distance(c, goal) <= length; });
+                                 [&](Cell c) { return air_.length(start, c) + air_.length(c, goal) <= length; });
         }
     }
 
@@ -38,9 +38,9 @@ class LocalSearch {
         for (std::size_t i = 0; i < tour_.size(); ++i) {
             const Point from = before(i);
             const Point to = at(i + 1);
-            double least = distance(from, at(i)) + distance(at(i), to) - least_gain;
+            double least = air_.length(from, at(i)) + air_.length(at(i), to) - least_gain;
             for (const Cell c : cells_[tour_[i].target]) {
-                const double length = distance(from, c) + distance(c, to);
+                const double length = air_.length(from, c) + air_.length(c, to);
                 if (length >= least) continue;
                 least = length;
                 tour_[i].at = c;
@@ -57,8 +57,8 @@ class LocalSearch {
             for (std::size_t last = first + 1; last < tour_.size(); ++last) {
                 const Point from = before(first);
                 const Point to = at(last + 1);
-                const double gain = distance(from, at(first)) + distance(at(last), to) - distance(from, at(last)) -
-                                    distance(at(first), to);
+                const double gain = air_.length(from, at(first)) + air_.length(at(last), to) -
+                                    air_.length(from, at(last)) - air_.length(at(first), to);
                 if (gain <= least_gain) continue;
                 std::reverse(stop(first), stop(last + 1));
                 better = true;
@@ -85,10 +85,10 @@ class LocalSearch {
         const Point tail = at(first + stops - 1);
         const Point from = before(place);
         const Point to = at(place);
-        const double closed = distance(before(first), head) + distance(tail, at(first + stops)) -
-                              distance(before(first), at(first + stops)) + distance(from, to);
-        const double forward = distance(from, head) + distance(tail, to);
-        const double backward = distance(from, tail) + distance(head, to);
+        const double closed = air_.length(before(first), head) + air_.length(tail, at(first + stops)) -
+                              air_.length(before(first), at(first + stops)) + air_.length(from, to);
+        const double forward = air_.length(from, head) + air_.length(tail, to);
+        const double backward = air_.length(from, tail) + air_.length(head, to);
         if (closed - std::min(forward, backward) <= least_gain) return false;
         if (backward < forward) std::reverse(stop(first), stop(first + stops));
         if (place < first) {
@@ -104,13 +104,14 @@ class LocalSearch {
     Point start_;
     Tour tour_;
     Point goal_;
+    const Airspace& air_;
     std::vector<std::vector<Cell>> cells_;  // by target
 };
 
 }  // namespace
 
-Tour improved_tour(Point start, Tour tour, Point goal, std::span<const Target> targets) {
-    return LocalSearch(start, std::move(tour), goal, targets).run();
+Tour improved_tour(Point start, Tour tour, Point goal, std::span<const Target> targets, const Airspace& air) {
+    return LocalSearch(start, std::move(tour), goal, targets, air).run();
 }
 
 }  // namespace waybreaker

@@ -11,7 +11,7 @@ namespace waybreaker {
 namespace {
 
 // The tour's stops, inserted one after another, in order of target, where each lengthens the tour least.
-Tour by_insertion(Point start, Tour stops, Point goal) {
+Tour by_insertion(Point start, Tour stops, Point goal, const Airspace& air) {
     std::ranges::sort(stops, {}, &Stop::target);
     Tour tour;
     for (const Stop& stop : stops) {
@@ -20,7 +20,7 @@ Tour by_insertion(Point start, Tour stops, Point goal) {
         for (std::size_t i = 0; i <= tour.size(); ++i) {
             const Point from = i > 0 ? Point(tour[i - 1].at) : start;
             const Point to = i < tour.size() ? Point(tour[i].at) : goal;
-            const double more = distance(from, stop.at) + distance(stop.at, to) - distance(from, to);
+            const double more = air.length(from, stop.at) + air.length(stop.at, to) - air.length(from, to);
             if (more >= least) continue;
             least = more;
             place = i;
@@ -31,7 +31,8 @@ Tour by_insertion(Point start, Tour stops, Point goal) {
 }
 
 // Plans the stops first..first + exact_window - 1 anew, in any order and at any cells. Whether that gains.
-bool replan_part(Point start, Tour& tour, Point goal, std::span<const Target> targets, std::size_t first) {
+bool replan_part(Point start, Tour& tour, Point goal, std::span<const Target> targets, const Airspace& air,
+                 std::size_t first) {
     const std::size_t last = std::min(first + exact_window, tour.size());
     const Point from = first > 0 ? Point(tour[first - 1].at) : start;
     const Point to = last < tour.size() ? Point(tour[last].at) : goal;
@@ -46,23 +47,24 @@ bool replan_part(Point start, Tour& tour, Point goal, std::span<const Target> ta
         const auto member = std::ranges::lower_bound(members, tour[i].target);
         known.push_back({std::size_t(member - members.begin()), tour[i].at});
     }
-    const Tour better = shortest_tour(from, to, part, known);
-    if (tour_length(from, better, to) > tour_length(from, known, to) - least_gain) return false;
+    const Tour better = shortest_tour(from, to, part, known, air);
+    if (tour_length(from, better, to, air) > tour_length(from, known, to, air) - least_gain) return false;
     for (std::size_t i = 0; i < better.size(); ++i) tour[first + i] = {members[better[i].target], better[i].at};
     return true;
 }
 
 // Replans overlapping parts, then the cells of all stops, until nothing gains or the time is over.
-Tour by_windows(Point start, Tour tour, Point goal, std::span<const Target> targets, const Deadline& deadline) {
+Tour by_windows(Point start, Tour tour, Point goal, std::span<const Target> targets, const Airspace& air,
+                const Deadline& deadline) {
     for (bool better = true; better;) {
         better = false;
         for (std::size_t first = 0; first < tour.size() && !deadline.passed(); first += exact_window / 2) {
-            better = replan_part(start, tour, goal, targets, first) || better;
+            better = replan_part(start, tour, goal, targets, air, first) || better;
         }
         if (better) {
-            tour = improved_tour(start, std::move(tour), goal, targets);
+            tour = improved_tour(start, std::move(tour), goal, targets, air);
         } else if (!deadline.passed()) {
-            better = choose_best_cells(start, tour, goal, targets);
+            better = choose_best_cells(start, tour, goal, targets, air);
         }
     }
     return tour;
@@ -70,12 +72,14 @@ Tour by_windows(Point start, Tour tour, Point goal, std::span<const Target> targ
 
 }  // namespace
 
-Tour good_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known, const Deadline& deadline) {
-    Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets, deadline);
+Tour good_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known, const Airspace& air,
+               const Deadline& deadline) {
+    Tour first = by_windows(start, improved_tour(start, known, goal, targets, air), goal, targets, air, deadline);
     if (deadline.passed()) return first;
-    const Tour inserted = by_insertion(start, known, goal);
-    const Tour second = by_windows(start, improved_tour(start, inserted, goal, targets), goal, targets, deadline);
-    return tour_length(start, second, goal) < tour_length(start, first, goal) ? second : first;
+    const Tour inserted = by_insertion(start, known, goal, air);
+    const Tour second =
+        by_windows(start, improved_tour(start, inserted, goal, targets, air), goal, targets, air, deadline);
+    return tour_length(start, second, goal, air) < tour_length(start, first, goal, air) ? second : first;
 }
 
 }  // namespace waybreaker

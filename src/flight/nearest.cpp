@@ -54,9 +54,10 @@ Tour nearest_tour(Point start, Point goal, std::span<const Target> targets) {
     return tour;
 }
 
-Flight fly_nearest(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles) {
-    const std::vector<Target> targets = targets_of(map, obstacles);
-    return flight_of(start, nearest_tour(start, goal, targets), goal, targets);
+Flight fly_nearest(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles,
+                   const Airspace& air) {
+    const std::vector<Target> targets = targets_of(map, obstacles, air, start);
+    return flight_of(start, nearest_tour(start, goal, targets), goal, targets, air);
 }
 
 }  // namespace waybreaker

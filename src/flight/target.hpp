@@ -12,11 +12,13 @@ namespace waybreaker {
 
 struct Target {
     ObstacleId obstacle;
-    std::vector<Cell> cells;  // its boundary, in scan order; never empty
+    std::vector<Cell> cells;  // of its boundary, in scan order; never empty
 };
 
-// The obstacles' targets in id order, each once. Throws InputError for an obstacle that fills the whole map.
-std::vector<Target> targets_of(const Map& map, std::span<const ObstacleId> obstacles);
+// The obstacles' targets in id order, each once, with the cells that an air agent gets to from `start`. Throws
+// InputError for an obstacle without any.
+std::vector<Target> targets_of(const Map& map, std::span<const ObstacleId> obstacles, const Airspace& air = {},
+                               Point start = {});
 
 // A visit of targets[target] at one of its cells.
 struct Stop {
@@ -28,9 +30,9 @@ using Tour = std::vector<Stop>;
 // A gain below this, in cells, is rounding: without it a search could turn in circles.
 inline constexpr double least_gain = 1e-9;
 
-double tour_length(Point start, const Tour& tour, Point goal);
+double tour_length(Point start, const Tour& tour, Point goal, const Airspace& air = {});
 
-Flight flight_of(Point start, const Tour& tour, Point goal, std::span<const Target> targets);
+Flight flight_of(Point start, const Tour& tour, Point goal, std::span<const Target> targets, const Airspace& air = {});
 
 // The paper's rule for n > 1 (see fly_nearest), one stop for each target.
 Tour nearest_tour(Point start, Point goal, std::span<const Target> targets);

@@ -8,6 +8,7 @@
 
 #include "core/range.hpp"
 #include "io/option_words.hpp"
+#include "io/zones_json.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -125,6 +126,7 @@ Json rules_json(const MissionDocument& document) {
         json["opened"].push_back({{"obstacle", opening.obstacle.value}, {"at", opening.at}});
     if (!rules.failed.empty()) json["failed"] = ids_json(rules.failed);
     if (rules.retries != 0) json["retries"] = rules.retries;
+    if (!rules.zones.empty()) json["zones"] = zones_json(rules.zones);
     json["breach_time"] = number(rules.breach_time.per_obstacle);
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
     json["timing"] = to_string(rules.timing);
@@ -285,6 +287,15 @@ void read_rules(const JsonField& field, MissionDocument& document) {
     if (const auto list = field.find("opened")) rules.opened = read_openings(*list);
     read_ids(field, "failed", rules.failed);
     if (const auto count = field.find("retries")) rules.retries = int(count->whole_number(0, INT_MAX));
+    if (const auto zones = field.find("zones")) {
+        ZoneCollection given = read_zones(*zones);
+        if (!given.in_cells) {
+            zones->fail(
+                "are not in cells: give cells, and \"crs\": \"cells\" beside \"features\"; the option --zones "
+                "of the command reads longitude and latitude");
+        }
+        rules.zones = std::move(given.zones);
+    }
     if (const auto time = field.find("breach_time")) {
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
     }
@@ -334,7 +345,7 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     }
     if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
-        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "opened", "failed", "retries",
+        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "opened", "failed", "retries", "zones",
                       "breach_time", "breach_time_per_cell", "timing", "objective", "minimise_demolition", "separation",
                       "at_goal"});
         read_rules(*rules, result);

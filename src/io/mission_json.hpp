@@ -21,7 +21,7 @@ namespace waybreaker::io {
 
 // Larger files are refused.
 inline constexpr std::size_t max_mission_bytes = std::size_t{1} << 20;
-inline constexpr int max_mission_depth = 8;
+inline constexpr int max_mission_depth = 12;
 
 // Throw InputError: the file's name, where in it, what is wrong. Whether the mission fits a map is not asked. `name` is
 // how the input is called in errors. `limits` hold where the document states none; "seconds": null is no limit.

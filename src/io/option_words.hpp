@@ -34,6 +34,7 @@ inline const Words<TieBreak> tie_break_words = all_words<TieBreak>();
 inline const Words<Corners> corner_words = all_words<Corners>();
 inline const Words<AgentKind> agent_words = all_words<AgentKind>();
 inline const Words<AtGoal> at_goal_words = all_words<AtGoal>();
+inline const Words<ZoneKind> zone_words = all_words<ZoneKind>();
 inline const Words<PlanStatus> status_words = all_words<PlanStatus>();
 inline const Words<WaitReason> wait_words = all_words<WaitReason>();
 inline const Words<OrderReason> order_words = all_words<OrderReason>();

@@ -58,7 +58,7 @@ MapFile known_map(MapFile file, const Plan& plan);
 
 // Larger files are refused; a path of half a million points fits.
 inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;
-inline constexpr int max_plan_depth = 8;
+inline constexpr int max_plan_depth = 13;
 
 // Throws InputError: the file's name, where in it, what is wrong. `name` is how the input is called in errors.
 PlanFile parse_plan(std::string_view bytes, const std::string& name);

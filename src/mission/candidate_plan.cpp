@@ -18,11 +18,12 @@ void for_each_agent(const Mission& mission, const auto& visit) {
 
 Route flight(const Agent& agent, std::size_t aircraft, std::span<const TimedBreach> breaches) {
     Route route{AgentKind::air};
-    route.path.emplace_back(agent.begin());
+    std::vector<Point> stops{agent.begin()};
     for (const TimedBreach& breach : breaches) {
-        if (breach.aircraft == aircraft) route.path.emplace_back(breach.at);
+        if (breach.aircraft == aircraft) stops.emplace_back(breach.at);
     }
-    route.path.emplace_back(agent.goal);
+    stops.emplace_back(agent.goal);
+    route.path = agent.airspace.way_past(stops);
     route.length = path_length(route.path);
     return route;
 }

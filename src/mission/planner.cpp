@@ -24,6 +24,7 @@
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
 #include "model/idle.hpp"
+#include "model/in_zones.hpp"
 #include "model/opened.hpp"
 #include "model/timeline.hpp"
 #include "orders/orders.hpp"
@@ -149,15 +150,16 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
                                  std::optional<double> share) {
     validate(map, mission, method, limits);
     const OpenedByThemselves opened(map, mission);
-    const ActivePart active(opened.mission());
+    const InZones zoned(opened.map(), opened.mission());
+    const ActivePart active(zoned.mission());
     const AgentOrder order(active.mission());
     std::optional<Evaluated> evaluated;
     if (share) evaluated = Evaluated{*share, {}};
-    Plan best = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
+    Plan best = around_late(zoned.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
         Limits left = limits;
         left.seconds = seconds;
         if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
-        return plan_active(opened.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
+        return plan_active(zoned.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
     });
     std::vector<Plan> plans;
     plans.push_back(std::move(best));
@@ -245,9 +247,10 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
 std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const OpenedByThemselves opened(map, mission);
-    const ActivePart active(opened.mission());
+    const InZones zoned(opened.map(), opened.mission());
+    const ActivePart active(zoned.mission());
     const AgentOrder order(active.mission());
-    std::vector<Plan> plans = front_of_active(opened.map(), order.mission(), method, limits);
+    std::vector<Plan> plans = front_of_active(zoned.map(), order.mission(), method, limits);
     for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));
     return plans;
 }

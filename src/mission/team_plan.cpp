@@ -30,8 +30,8 @@ void set_figures(Outcome& outcome, const Finish& finish) {
 Route flight(const Agent& agent) {
     Route route;
     route.kind = AgentKind::air;
-    route.path = {agent.begin(), agent.goal};
-    route.length = distance(agent.begin(), agent.goal);
+    route.path = agent.airspace.way(agent.begin(), agent.goal);
+    route.length = path_length(route.path);
     return route;
 }
 
@@ -64,7 +64,7 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
-            const double time = agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
+            const double time = agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
             alone.add(AgentKind::air, time);
             least.add(AgentKind::air, time);
         } else {

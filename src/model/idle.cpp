@@ -10,11 +10,11 @@ namespace waybreaker {
 namespace {
 
 std::vector<Point> flight_of(const Agent& agent) {
-    return {agent.begin(), agent.goal};
+    return agent.airspace.way(agent.begin(), agent.goal);
 }
 
 double flight_time(const Agent& agent) {
-    return agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
+    return agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
 }
 
 std::vector<Waypoint> timed_flight(const Agent& agent) {
@@ -84,7 +84,7 @@ void ActivePart::add_idle(Outcome& outcome) const {
         const Agent& agent = whole_.agents[i];
         routes[i].kind = AgentKind::air;
         routes[i].path = flight_of(agent);
-        routes[i].length = distance(agent.begin(), agent.goal);
+        routes[i].length = path_length(routes[i].path);
     }
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
         const std::vector<std::size_t> places = places_of(kind);

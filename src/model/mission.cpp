@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/range.hpp"
+#include "model/in_zones.hpp"
 #include "model/nearest_place.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/place_error.hpp"
@@ -243,6 +244,7 @@ void validate(const Map& map, const Mission& mission) {
         validate_beginning(map, agent);
     }
     if (mission.is_team()) validate_team(mission);
+    validate_zones(map, mission);
 }
 
 }  // namespace waybreaker

@@ -20,6 +20,7 @@
 #include "render/signs.hpp"
 #include "render/waits.hpp"
 #include "render/xml_text.hpp"
+#include "render/zones.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::render {
@@ -266,6 +267,8 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     for (std::size_t i = 0; i < std::size_t(Style::removed); ++i) {
         if (!scene.outline(Style(i)).empty()) entries.push_back({swatch(Style(i)), style_words[i]});
     }
+    for (const auto& [kind, words] : zone_words(scene.mission))
+        entries.push_back({zone_sample(kind, {6 * unit, -8 * unit, 34 * unit, 16 * unit}, unit), words});
     if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Style::removed), style_words[std::size_t(Style::removed)]});
         const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
@@ -390,8 +393,8 @@ std::string svg(const Map& map, const Mission& mission, const Plan& plan, const 
     const Motion moving = options.animate ? motion(map, mission, plan, layout, options.annotations) : Motion{};
     return head + moving.style +
            rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
-           draw_obstacles(scene) + moving.standing + draw_paths(scene) + draw_marks(scene) + moving.agents +
-           draw_words(scene, entries) + "</svg>\n";
+           draw_obstacles(scene) + draw_zones(mission, layout) + moving.standing + draw_paths(scene) +
+           draw_marks(scene) + moving.agents + draw_words(scene, entries) + "</svg>\n";
 }
 
 }  // namespace waybreaker::render

@@ -15,7 +15,7 @@ namespace {
 
 using io::JsonField;
 
-constexpr int max_depth = 8;
+constexpr int max_depth = io::max_mission_depth + 1;
 constexpr int most_removals = 32;
 constexpr std::size_t most_methods = 8;
 

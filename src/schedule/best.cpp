@@ -88,7 +88,7 @@ class Best {
         if (tie) air = rank_.second - ground_low;
         const std::optional<Tour> tour =
             shortest_tour_in_time(course_.start(), course_.goal(), course_.targets(),
-                                  course_.deadlines(ground + rounding_), course_.reach(air + rounding_));
+                                  course_.deadlines(ground + rounding_), course_.reach(air + rounding_), course_.air());
         if (!tour) return std::nullopt;
         consider(*tour);
         return course_.finish(*tour);
@@ -115,9 +115,9 @@ BestTour best_tour(const Course& course, const Deadline& deadline) {
     const Cell goal = course.goal();
     const bool few = course.targets().size() <= exact_flight_limit;
     const Tour nearest = nearest_tour(start, goal, course.targets());
-    const Tour known = improved_tour(start, nearest, goal, course.targets());
-    const Tour shortest = few ? shortest_tour(start, goal, course.targets(), known)
-                              : good_tour(start, goal, course.targets(), nearest, deadline);
+    const Tour known = improved_tour(start, nearest, goal, course.targets(), course.air());
+    const Tour shortest = few ? shortest_tour(start, goal, course.targets(), known, course.air())
+                              : good_tour(start, goal, course.targets(), nearest, course.air(), deadline);
     Best best(course, shortest, deadline);
     if (!few) best.consider(nearest);
     const bool proven = few && best.prove();
@@ -131,8 +131,8 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     const auto [tour, proven] = best_tour(course, deadline);
     std::vector<Breaching> breachings;
     for (const Stop& stop : tour) breachings.push_back(course.breaching(stop.target));
-    Schedule schedule =
-        timetable(task, flight_of(course.start(), tour, course.goal(), course.targets()), breachings, course.given());
+    Schedule schedule = timetable(task, flight_of(course.start(), tour, course.goal(), course.targets(), course.air()),
+                                  breachings, course.given());
     schedule.optimal = proven;
     return schedule;
 }

@@ -33,7 +33,7 @@ Needs Needs::only(std::uint32_t subset) const {
 
 Needs needs_of(const Map& map, const ScheduleTask& task) {
     const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
-    Needs needs{targets_of(map, to_breach(task.rules, task.removed)),
+    Needs needs{targets_of(map, to_breach(task.rules, task.removed), task.flyer.airspace, task.flyer.begin()),
                 {},
                 driven.back().t,
                 distance(Cell{}, Cell{map.width(), map.height()})};
@@ -50,6 +50,8 @@ Course::Course(const ScheduleTask& task, Needs needs) : task_(task), needs_(std:
     precedence_ = needs_.precedence({&task.flyer});
     for (const Breaching& breaching : needs_.breachings) stays_ += breaching.stay;
     longest_tour_ = needs_.across * double(needs_.targets.size() + 1);
+    // A way round zones is at most once at each of their corners.
+    if (!task.flyer.airspace.is_open()) longest_tour_ *= double(most_zone_corners + 1);
 }
 
 Deadlines Course::deadlines(double ground_finish) const {

@@ -42,6 +42,7 @@ class Course {
     std::span<const Target> targets() const { return needs_.targets; }
     Point start() const { return task_.flyer.begin(); }
     Cell goal() const { return task_.flyer.goal; }
+    const Airspace& air() const { return task_.flyer.airspace; }
     const ScheduleTask& task() const { return task_; }
 
     // When the ground agent finishes if it waits for no target.

@@ -42,8 +42,8 @@ const EarliestOpenings::Legs& EarliestOpenings::legs(std::size_t aircraft, Obsta
     if (!is_new) return legs;
     const Agent& agent = *aircraft_[aircraft];
     for (const Cell at : map_.boundary(id)) {
-        const double first = distance(agent.begin(), at);
-        const double last = distance(at, agent.goal);
+        const double first = agent.airspace.length(agent.begin(), at);
+        const double last = agent.airspace.length(at, agent.goal);
         legs.first = std::min(legs.first, first);
         legs.last = std::min(legs.last, last);
         legs.whole = std::min(legs.whole, first + last);
@@ -59,7 +59,7 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
     std::vector<double> lengths(subsets * count, never);
     Flights flights{std::vector<double>(subsets, never), std::vector<double>(subsets, never)};
     flights.open[0] = 0;
-    flights.home[0] = agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
+    flights.home[0] = agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
     for (std::size_t i = 0; i < count; ++i)
         lengths[(std::size_t{1} << i) * count + i] = legs(aircraft, obstacles[i]).first;
     for (std::uint32_t subset = 1; subset < subsets; ++subset) {

@@ -199,7 +199,8 @@ JointSchedule nearest_schedule(const Map& map, const JointTask& task) {
     const Agent& flyer = *task.aircraft.front();
     const ScheduleTask alone = task_of(task, 0, Deadline());
     const std::vector<ObstacleId> targets = to_breach(task.rules, task.removed);
-    return joint(map, task, schedule_of(map, alone, fly_nearest(map, flyer.begin(), flyer.goal, targets)));
+    return joint(map, task,
+                 schedule_of(map, alone, fly_nearest(map, flyer.begin(), flyer.goal, targets, flyer.airspace)));
 }
 
 }  // namespace waybreaker

@@ -26,7 +26,7 @@ class LocalSearch {
         for (const Target& target : course_.targets()) {
             std::vector<Cell>& cells = cells_.emplace_back();
             std::ranges::copy_if(target.cells, std::back_inserter(cells), [&](Cell c) {
-                return distance(course_.start(), c) + distance(c, course_.goal()) <= reach;
+                return course_.air().length(course_.start(), c) + course_.air().length(c, course_.goal()) <= reach;
             });
         }
     }
@@ -40,7 +40,7 @@ class LocalSearch {
   private:
     Point at(std::size_t i) const { return i < tour_.size() ? Point(tour_[i].at) : course_.goal(); }
     Point before(std::size_t i) const { return i > 0 ? Point(tour_[i - 1].at) : course_.start(); }
-    double flying(Point a, Point b) const { return distance(a, b) / course_.task().flyer.speed; }
+    double flying(Point a, Point b) const { return course_.air().length(a, b) / course_.task().flyer.speed; }
     Rank rank_of(const Finish& finish) const { return rank(course_.task().rules.objective, finish); }
 
     bool better_cells() {

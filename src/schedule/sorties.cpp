@@ -19,8 +19,8 @@ std::vector<Cell> likely_cells(const Target& target, const Agent& aircraft, cons
     double least = infinity;
     double least_by = infinity;
     for (const Cell c : target.cells) {
-        const double there = distance(before, c);
-        const double by = there + distance(c, after);
+        const double there = aircraft.airspace.length(before, c);
+        const double by = there + aircraft.airspace.length(c, after);
         if (there < least) {
             least = there;
             nearest = c;

@@ -15,26 +15,36 @@ double fly(const Agent& aircraft, const Tour& tour, const Stay& stay, const Visi
     double time = aircraft.ready_at;
     Point at = aircraft.begin();
     for (const Stop& stop : tour) {
-        const double begun = time + distance(at, stop.at) / aircraft.speed;
+        const double begun = time + aircraft.airspace.length(at, stop.at) / aircraft.speed;
         time = begun + stay(stop.target);
         visit(stop, begun, time);
         at = stop.at;
     }
-    return time + distance(at, aircraft.goal) / aircraft.speed;
+    return time + aircraft.airspace.length(at, aircraft.goal) / aircraft.speed;
 }
 
-// The path, with a point for each end of a stay.
+// The path, with a point for each end of a stay and for each bend round a zone.
 template <class Stay>
 std::vector<Waypoint> flown(const Agent& aircraft, const Tour& tour, const Stay& stay) {
     std::vector<Waypoint> path;
     const auto add = [&](Point at, double time) { path.push_back({at.x, at.y, time}); };
+    const auto add_leg = [&](Point to, double arrival) {
+        const Waypoint from = path.back();
+        const std::vector<Point> way = aircraft.airspace.way({from.x, from.y}, to);
+        double flown = 0;
+        for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+            flown += distance(way[i - 1], way[i]);
+            add(way[i], from.t + flown / aircraft.speed);
+        }
+        add(to, arrival);
+    };
     add(aircraft.begin(), 0);
     if (aircraft.ready_at > 0) add(aircraft.begin(), aircraft.ready_at);
     const double home = fly(aircraft, tour, stay, [&](const Stop& stop, double begun, double cleared) {
-        add(stop.at, begun);
+        add_leg(stop.at, begun);
         if (cleared > begun) add(stop.at, cleared);
     });
-    add(aircraft.goal, home);
+    add_leg(aircraft.goal, home);
     return path;
 }
 

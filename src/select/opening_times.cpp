@@ -9,7 +9,7 @@ bool may_matter(const Task& task) {
     if (task.rules.timing == Timing::ignore) return false;
     const auto keeps_up = [&](const Agent* agent) {
         return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
-               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals;
+               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals && agent->airspace.is_open();
     };
     return std::ranges::none_of(task.aircraft, keeps_up) ||
            std::ranges::any_of(task.map.obstacles(),

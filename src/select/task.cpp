@@ -25,7 +25,8 @@ Returns least_return(const Task& task, std::span<const ObstacleId> removed) {
     // The flight past all of them is no shorter than the one past as many as are solved with proof.
     const std::vector<ObstacleId> breached = to_breach(task.rules, removed);
     const auto solved = std::span(breached).first(std::min(breached.size(), exact_flight_limit));
-    double time = flyer.ready_at + fly_optimal(task.map, flyer.begin(), flyer.goal, solved).length / flyer.speed;
+    double time =
+        flyer.ready_at + fly_optimal(task.map, flyer.begin(), flyer.goal, solved, flyer.airspace).length / flyer.speed;
     for (const ObstacleId id : breached) time += task.rules.breach_time.of(task.map.obstacle(id));
     return {time, time};
 }

@@ -184,7 +184,7 @@ RC_GTEST_PROP(BestSchedule, IsNoWorseThanFlightsMadeWithoutASchedule, ()) {
     RC_ASSERT(best.optimal == (world.removed.size() <= exact_flight_limit));
     expect_consistent(world, best);
     for (const auto fly : {fly_nearest, fly_optimal}) {
-        const Flight flight = fly(world.map, task.flyer.start, task.flyer.goal, task.removed);
+        const Flight flight = fly(world.map, task.flyer.start, task.flyer.goal, task.removed, task.flyer.airspace);
         const Schedule other = schedule_of(world.map, task, flight);
         expect_consistent(world, other);
         if (task.rules.objective == Objective::makespan) RC_ASSERT(best.makespan <= other.makespan + 1e-6);

@@ -1,0 +1,30 @@
+#include "zone_options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geotiff/georeference.hpp"
+#include "io/output_file.hpp"
+#include "io/zones_json.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+
+std::vector<Zone> read_zones_file(const std::string& path, const io::MapFile& map) {
+    io::ZoneCollection given = io::parse_zones(io::read_whole(path, io::max_zones_bytes), io::input_name(path));
+    if (given.in_cells || given.zones.empty()) return given.zones;
+    if (!map.georeference) {
+        throw InputError(fmt::format(
+            "{}: is in longitude and latitude, and {} does not say where on Earth it lies; give cells, and \"crs\": "
+            "\"cells\" beside \"features\"",
+            io::input_name(path), map.source));
+    }
+    const geotiff::FromLonLat to_cells(*map.georeference);
+    for (Zone& zone : given.zones) {
+        for (std::vector<Point>& ring : zone.polygon) ring = to_cells(std::move(ring));
+    }
+    return given.zones;
+}
+
+}  // namespace waybreaker::apps

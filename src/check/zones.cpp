@@ -1,0 +1,210 @@
+// Whether agents keep out of zones: held against the polygons themselves, in reals, with a hair's breadth to spare. By
+// geometry of its own, without that of the planners.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "check/judge.hpp"
+
+namespace waybreaker::checker {
+namespace {
+
+constexpr double spare = 1e-3;       // cells: what rounding of corners, and of points in files, may do
+constexpr double spare_area = 1e-3;  // of a cell
+constexpr int looks = 32;            // at a part of a leg that lies inside
+
+using Corners = std::vector<Point>;
+
+template <class Visit>
+void for_each_edge(const Zone& zone, const Visit& visit) {
+    for (const Corners& ring : zone.polygon) {
+        for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
+    }
+}
+
+Point between(Point a, Point b, double share) {
+    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+// Whether a ray from there to the right crosses an odd number of edges.
+bool is_inside(const Zone& zone, Point p) {
+    bool odd = false;
+    for_each_edge(zone, [&](Point a, Point b) {
+        if ((a.y > p.y) == (b.y > p.y)) return;
+        if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+    });
+    return odd;
+}
+
+// The share of a segment at which it is nearest to a point.
+double nearest_share(Point p, Point a, Point b) {
+    const double square = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    return square == 0 ? 0 : std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / square, 0.0, 1.0);
+}
+
+double away(Point p, Point a, Point b) {
+    const Point near = between(a, b, nearest_share(p, a, b));
+    return std::hypot(p.x - near.x, p.y - near.y);
+}
+
+// From the outline, however a point lies to it.
+double from_outline(const Zone& zone, Point p) {
+    double least = std::numeric_limits<double>::infinity();
+    for_each_edge(zone, [&](Point a, Point b) { least = std::min(least, away(p, a, b)); });
+    return least;
+}
+
+// Where a leg first lies deep inside, as a share of it. Between two edges that it crosses it is inside as a whole, or
+// outside.
+std::optional<double> first_inside(const Zone& zone, Point a, Point b) {
+    std::vector<double> shares{0, 1};
+    for_each_edge(zone, [&](Point c, Point d) {
+        const double across = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
+        const double share = ((c.x - a.x) * (d.y - c.y) - (c.y - a.y) * (d.x - c.x)) / across;
+        if (share > 0 && share < 1) shares.push_back(share);  // not where they are parallel: no number is in between
+    });
+    std::sort(shares.begin(), shares.end());
+    for (std::size_t i = 1; i < shares.size(); ++i) {
+        if (!is_inside(zone, between(a, b, (shares[i - 1] + shares[i]) / 2))) continue;
+        for (int look = 0; look <= looks; ++look) {
+            const double share = shares[i - 1] + (shares[i] - shares[i - 1]) * look / looks;
+            if (from_outline(zone, between(a, b, share)) > spare) return share;
+        }
+    }
+    return std::nullopt;
+}
+
+// Where the disc of a body that moves along a leg reaches into a zone that its centre stays out of.
+std::optional<double> first_touched(const Zone& zone, Point a, Point b, double radius) {
+    std::optional<double> first;
+    for_each_edge(zone, [&](Point c, Point d) {
+        // Two segments that do not cross are nearest at an end of one of them.
+        for (const double share : std::array<double, 4>{0, 1, nearest_share(c, a, b), nearest_share(d, a, b)}) {
+            if (away(between(a, b, share), c, d) < radius - spare && (!first || share < *first)) first = share;
+        }
+    });
+    return first;
+}
+
+// Of the polygon within a cell: what lies beyond each of its sides is cut off.
+double area_within(Corners ring, Cell cell) {
+    for (int side = 0; side < 4; ++side) {
+        const auto depth = [&](Point p) {
+            const double along = side % 2 == 0 ? p.x - cell.x : p.y - cell.y;
+            return side < 2 ? along + 0.5 : 0.5 - along;
+        };
+        Corners cut;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i];
+            const Point b = ring[(i + 1) % ring.size()];
+            if (depth(a) >= 0) cut.push_back(a);
+            if ((depth(a) >= 0) != (depth(b) >= 0)) cut.push_back(between(a, b, depth(a) / (depth(a) - depth(b))));
+        }
+        ring = std::move(cut);
+    }
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point b = ring[(i + 1) % ring.size()];
+        twice += (ring[i].x - cell.x) * (b.y - cell.y) - (ring[i].y - cell.y) * (b.x - cell.x);
+    }
+    return std::abs(twice) / 2;
+}
+
+bool covers(const Zone& zone, Cell cell) {
+    double area = 0;
+    for (std::size_t ring = 0; ring < zone.polygon.size(); ++ring)
+        area += (ring == 0 ? 1 : -1) * area_within(zone.polygon[ring], cell);
+    return area > spare_area;
+}
+
+class ZoneJudge {
+  public:
+    ZoneJudge(const Map& map, const Zone& zone, std::size_t number)
+        : map_(map), zone_(zone), name_(zone.name.empty() ? "zone " + std::to_string(number) : "zone " + zone.name) {
+        for_each_edge(zone, [this](Point a, Point) {
+            least_ = {std::min(least_.x, a.x), std::min(least_.y, a.y)};
+            most_ = {std::max(most_.x, a.x), std::max(most_.y, a.y)};
+        });
+    }
+
+    void judge_path(const Itinerary& agent, double radius) {
+        const bool flies = agent.kind == AgentKind::air;
+        for (std::size_t i = 0; i < agent.path.size(); ++i) {
+            const Waypoint& from = agent.path[i > 0 ? i - 1 : 0];
+            const Waypoint& to = agent.path[i];
+            const Point a(from.x, from.y);
+            const Point b(to.x, to.y);
+            if (!comes_near(a, b, radius)) continue;
+            std::optional<double> share = first_inside(zone_, a, b);
+            if (!share && radius > 0) share = first_touched(zone_, a, b, radius);
+            if (!share) continue;
+            found_.push_back({Rule::zone,
+                              "the " + agent.id + " agent " + (flies ? "flies in " : "drives into ") + name_ +
+                                  (flies ? ", where nobody may" : ", which it has to keep out of"),
+                              agent.id,
+                              {},
+                              between(a, b, *share),
+                              from.t + *share * (to.t - from.t)});
+            return;
+        }
+    }
+
+    // Nothing is removed that reaches into a zone for vehicles.
+    void judge_removed(const Breach& breach) {
+        if (!names_obstacle(map_, breach.obstacle)) return;
+        const Box& box = map_.obstacle(breach.obstacle).bounds;
+        const auto first = [](double least, int side) { return int(std::max(std::floor(least), double(side))); };
+        const auto last = [](double most, int side) { return int(std::min(std::ceil(most), double(side))); };
+        for (int y = first(least_.y, box.min.y); y <= last(most_.y, box.max.y); ++y) {
+            for (int x = first(least_.x, box.min.x); x <= last(most_.x, box.max.x); ++x) {
+                if (map_.obstacle_at({x, y}) != breach.obstacle || !covers(zone_, {x, y})) continue;
+                found_.push_back({Rule::zone, text(breach.obstacle) + " is removed, and reaches into " + name_, "",
+                                  breach.obstacle, Point(x, y), breach.cleared_at});
+                return;
+            }
+        }
+    }
+
+    Violations found() { return std::move(found_); }
+
+  private:
+    bool comes_near(Point a, Point b, double radius) const {
+        return std::max(a.x, b.x) + radius >= least_.x && std::min(a.x, b.x) - radius <= most_.x &&
+               std::max(a.y, b.y) + radius >= least_.y && std::min(a.y, b.y) - radius <= most_.y;
+    }
+
+    const Map& map_;
+    const Zone& zone_;
+    std::string name_;
+    Point least_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Point most_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Violations found_;
+};
+
+}  // namespace
+
+Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan) {
+    Violations found;
+    for (std::size_t i = 0; i < mission.rules.zones.size(); ++i) {
+        const Zone& zone = mission.rules.zones[i];
+        ZoneJudge judge(map, zone, i + 1);
+        bool holds = false;
+        for (const Agent& agent : mission.agents) {
+            const bool flies = agent.kind == AgentKind::air;
+            const auto is_it = [&](const std::string& id) { return id == agent.id; };
+            if (flies != (zone.kind == ZoneKind::no_fly)) continue;
+            if (!zone.agents.empty() && std::none_of(zone.agents.begin(), zone.agents.end(), is_it)) continue;
+            holds = true;
+            for (const Itinerary& path : plan.agents) {
+                if (is_it(path.id)) judge.judge_path(path, flies ? 0 : agent.body.reach());
+            }
+        }
+        if (holds && zone.kind == ZoneKind::keep_out) {
+            for (const Breach& breach : plan.breaches) judge.judge_removed(breach);
+        }
+        append(found, judge.found());
+    }
+    return found;
+}
+
+}  // namespace waybreaker::checker

@@ -1,0 +1,34 @@
+// A mission with zones, as planning sees it: cells that vehicles keep out of are blocked for good, aircraft have their
+// airspace, and what cannot be removed for a zone is protected.
+#pragma once
+
+#include <optional>
+
+#include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+// Throws InputError, naming the zone, if one is not valid, holds for somebody who is not there or only for some of
+// several alike, has an agent's start or goal in it, or leaves an aircraft no way or what must be removed out of reach.
+// REQUIRES: a mission that is valid but for its zones.
+void validate_zones(const Map& map, const Mission& mission);
+
+class InZones {
+  public:
+    // Both must outlive it. REQUIRES: valid zones.
+    InZones(const Map& map, const Mission& mission);
+
+    // With an obstacle more, the last one: the free cells that reach into a zone for vehicles. All others stay.
+    const Map& map() const { return closed_ ? *closed_ : map_; }
+    // Without zones.
+    const Mission& mission() const { return zoned_ ? *zoned_ : mission_; }
+
+  private:
+    const Map& map_;
+    const Mission& mission_;
+    std::optional<Map> closed_;
+    std::optional<Mission> zoned_;
+};
+
+}  // namespace waybreaker
