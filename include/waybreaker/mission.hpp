@@ -77,6 +77,9 @@ struct Agent {
     // `ready_at`. Where and when they begin, the agent begins; others keep clear of a ground agent on it.
     std::vector<Waypoint> approach = {};
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
+    // How many obstacles in its way a ground agent may breach itself, >= 0. It stands where it touches them while it
+    // does. Of a mission's only agent; then no aircraft flies.
+    int own_breaches = 0;
     // Where an air agent may fly. Of a mission, Rules::zones say it, and planning sets this.
     Airspace airspace = {};
 
@@ -130,13 +133,16 @@ inline constexpr std::size_t most_agents = 10000;
 
 struct Mission {
     // One ground and one air agent, in any order; or a team (docs/coalition.md): any number of ground agents, and
-    // aircraft. Without aircraft nothing is removed, whatever the rules allow.
+    // aircraft; or one ground agent that opens its own way (docs/crews.md). Where nobody may breach, nothing is
+    // removed, whatever the rules allow.
     std::vector<Agent> agents = {};
     Rules rules = {};
 
     // Whether it has agents, and others than one ground and one air agent.
     bool is_team() const;
-    // How many obstacles may be removed: by the rules, and by what all aircraft may breach.
+    // Whether a ground agent breaches what is in its way itself.
+    bool opens_own_way() const;
+    // How many obstacles may be removed: by the rules, and by what all agents may breach.
     int removals_allowed() const;
 
     // The first agent of that kind. REQUIRES: there is one, as validate makes sure.

@@ -22,6 +22,8 @@ export interface GroundAgent {
   ready_at?: number;
   /** How it gets to its start if it is on its way already: the last point is there, at ready_at. */
   approach?: Waypoint[];
+  /** How many obstacles in its way it removes itself at most, if it is the mission's only agent; 0. */
+  breaches?: number;
 }
 
 export interface AirAgent {

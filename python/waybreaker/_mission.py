@@ -23,7 +23,8 @@ class Vehicle:
     ``start`` and ``goal`` are cells. ``speed`` is in cells per unit of time, ``radius`` in cells (by default half a
     cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that
     passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time; or comes there on
-    its ``approach``, points ``[x, y, t]`` that end at its start then.
+    its ``approach``, points ``[x, y, t]`` that end at its start then. A mission's only agent may itself breach at
+    most ``breaches`` obstacles in its way (None: none).
     """
 
     start: Cell
@@ -34,6 +35,7 @@ class Vehicle:
     corners: Optional[Literal["none", "cut", "squeeze"]] = None
     ready_at: Optional[float] = None
     approach: Optional[Sequence[Sequence[float]]] = None
+    breaches: Optional[int] = None
 
     @property
     def kind(self) -> Literal["ground"]:

@@ -43,10 +43,11 @@ class TeamJudge {
         return false;
     }
 
-    // Each obstacle is removed by an aircraft of the mission, and none removes more than it may.
+    // Each obstacle is removed by an agent of the mission that may, and none removes more than it may.
     void judge_sharing() {
-        const auto flies = [](const auto& agent) { return agent.second->kind == AgentKind::air; };
-        if (!plan_.breaches.empty() && std::none_of(agents_.begin(), agents_.end(), flies)) {
+        const auto may = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
+        const auto one_may = [&](const auto& agent) { return may(*agent.second); };
+        if (!plan_.breaches.empty() && std::none_of(agents_.begin(), agents_.end(), one_may)) {
             report(Rule::removals, "obstacles are removed, and there is no air agent");
         }
         std::map<std::string, int> count;
@@ -57,9 +58,9 @@ class TeamJudge {
                 found_.push_back({rule, message, breach.by, breach.obstacle, breach.at, breach.cleared_at});
             };
             const auto agent = agents_.find(breach.by);
-            if (agent == agents_.end() || agent->second->kind != AgentKind::air) {
+            if (agent == agents_.end() || !may(*agent->second)) {
                 fault(Rule::breach, what + " is breached by '" + breach.by + "', which is no air agent of the mission");
-            } else if (++count[breach.by] == std::max(agent->second->breaches, 0) + 1LL) {
+            } else if (++count[breach.by] == most_breaches(*agent->second) + 1LL) {
                 fault(Rule::capacity, beyond_capacity(*agent->second));
             }
             if (names_obstacle(map_, breach.obstacle)) {
@@ -123,6 +124,7 @@ class TeamJudge {
                 append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
                 continue;
             }
+            append(found_, judge_own_breaches(map_, breaches_by(agent.id), path, terms));
             Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
             followed = followed && drive.followed;

@@ -258,7 +258,10 @@ Agent read_agent_of_mission(const JsonField& field) {
     if (const auto approach = field.find("approach")) {
         for (const JsonField& point : approach->items()) agent.approach.push_back(read_waypoint(point));
     }
-    if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
+    if (const auto count = field.find("breaches")) {
+        const auto most = int(count->whole_number(0, INT_MAX));
+        (agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches) = most;
+    }
     read_body(field, agent.body);
     return agent;
 }
@@ -272,6 +275,7 @@ Json mission_agent_json(const Agent& agent) {
     if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
     for (const Waypoint& p : agent.approach) json["approach"].push_back({p.x, p.y, p.t});
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
+    if (agent.own_breaches > 0) json["breaches"] = agent.own_breaches;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = to_string(agent.body.corners);

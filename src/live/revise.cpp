@@ -237,6 +237,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
+    if (mission.opens_own_way())
+        throw InputError(ErrorCode::contradiction, "own_breaches",
+                         "a mission of an agent that opens its own way cannot be planned anew on its way yet");
     if (!mission.rules.zones.empty())
         throw InputError(ErrorCode::contradiction, "zones",
                          "a mission with zones cannot be planned anew on its way yet; leave the zones out");

@@ -40,10 +40,10 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has aircraft that open its way: then nobody gets in anybody's way.
+// Whether one ground agent has its way opened, by aircraft or by itself: then nobody gets in anybody's way.
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
-    return count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
+    return count(AgentKind::ground) == 1 && (count(AgentKind::air) > 0 || mission.opens_own_way());
 }
 
 // What is best, or demolishes the least of what is about as good.
@@ -257,8 +257,8 @@ std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const M
 
 std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& mission, const Method& method,
                                            const Limits& limits) {
-    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
-    if (std::ranges::none_of(mission.agents, flies)) return {plan_active(map, mission, method, limits)};
+    const auto breaches = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
+    if (std::ranges::none_of(mission.agents, breaches)) return {plan_active(map, mission, method, limits)};
     const Rules& rules = mission.rules;
     const Deadline deadline(limits.seconds);
     const auto plan_with = [&](int removals, bool explained) {

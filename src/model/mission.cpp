@@ -221,9 +221,13 @@ bool Mission::is_team() const {
     return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);
 }
 
+bool Mission::opens_own_way() const {
+    return std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
+}
+
 int Mission::removals_allowed() const {
     std::int64_t capacity = 0;
-    for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : 0;
+    for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches;
     return int(std::min<std::int64_t>(rules.removals, capacity));
 }
 

@@ -173,7 +173,7 @@ export function leftOut(
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
-    ...(says("breaches", "ground") ? ["breaches, which only aircraft have"] : []),
+    ...(says("breaches", "ground") ? ["breaches of vehicles"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

@@ -236,7 +236,7 @@ it("a mission file says what is left out of it", () => {
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
-    "breaches, which only aircraft have",
+    "breaches of vehicles",
   ]);
 });
 
