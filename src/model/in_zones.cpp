@@ -250,6 +250,7 @@ InZones::InZones(const Map& map, const Mission& mission) : map_(map), mission_(m
     if (const Agent* scout = first_aircraft(*zoned_); scout != nullptr && !scout->airspace.is_open()) {
         for (const Obstacle& obstacle : map.obstacles()) {
             if (obstacle.gone() || !obstacle.destructible || kept.contains(obstacle.id)) continue;
+            if (opens_by_itself(rules, obstacle.id)) continue;
             if (!is_in_reach(map, obstacle, *scout)) kept.insert(obstacle.id);
         }
     }

@@ -203,6 +203,25 @@ TEST(ReviseInZones, WhatOpensInAZoneStaysClosedThere) {
     }
 }
 
+// Nor need an aircraft get there; of several neither.
+TEST(ReviseInZones, WhatOpensByItselfMayBeOutOfReach) {
+    Underway old = round_a_zone();
+    old.mission.rules.zones = {{ZoneKind::no_fly, {{{8.5, -0.5}, {14.5, -0.5}, {14.5, 6.5}, {8.5, 6.5}}}, "city", {}}};
+    Agent second = old.mission.agents[1];
+    second.id = "second";
+    for (int aircraft = 1; aircraft <= 2; ++aircraft) {
+        old.mission.rules.opened = {};
+        EXPECT_EQ(Planner().plan(old.map, old.mission).status, PlanStatus::no_plan);
+        old.mission.rules.opened = {{{1}, 2}};
+        const Plan plan = Planner().plan(old.map, old.mission);
+        ASSERT_EQ(plan.status, PlanStatus::solved);
+        EXPECT_EQ(plan_faults(old.map, old.mission, plan), "");
+        EXPECT_GT(*plan.after.ground_makespan, 6);  // the way is 6 long, and it waits
+        EXPECT_LE(*plan.after.ground_makespan, 8);
+        old.mission.agents.push_back(second);
+    }
+}
+
 TEST(ReviseInZones, PlanBKeepsOutOfZones) {
     Underway old = round_a_zone();
     old.mission.rules.retries = 1;
