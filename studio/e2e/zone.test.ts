@@ -67,7 +67,7 @@ it("is drawn, flown round, named, kept in the link and in the file, and removed"
   await again.page.getByRole("button", { name: "Remove zone 1" }).click();
   await expect.poll(async () => (await zonesOf(again)).length).toBe(0);
   await again.page.getByLabel("File to open").setInputFiles(saved);
-  await expect.poll(async () => (await zonesOf(again)).length).toBe(1);
+  await expect.poll(() => again.page.getByLabel("Name of zone 1").inputValue()).toBe("helipad");
   expect([...studio.faults, ...again.faults]).toEqual([]);
 });
 
