@@ -127,6 +127,9 @@ Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, 
 // That agents keep out of zones, and what is removed does not reach into one for vehicles.
 Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan);
 
+// Whether the straight way between two places leads through a zone that is closed to that aircraft.
+bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b);
+
 // What waits for what. Precondition: nothing else is wrong with the plan.
 Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 

@@ -120,7 +120,12 @@ void SortiePlanner::search_ways(const Set& set) {
 void SortiePlanner::prepare(const Set& set) {
     search_ways(set);
     const Agent& scout = *problem_.aircraft().front();  // all may fly in the same airspace
-    targets_ = targets_of(problem_.map(), set, scout.airspace, scout.begin());
+    targets_.clear();
+    for (const ObstacleId& id : set) {
+        // What opens by itself may be out of reach.
+        const Airspace air = problem_.given_opening(id) ? Airspace() : scout.airspace;
+        targets_.push_back(targets_of(problem_.map(), std::span(&id, 1), air, scout.begin()).front());
+    }
     std::vector<double> stays;
     for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
     precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));

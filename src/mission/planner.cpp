@@ -158,7 +158,7 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
     Plan best = around_late(zoned.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
         Limits left = limits;
         left.seconds = seconds;
-        if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
+        if (asked.rules.opened.size() < zoned.mission().rules.opened.size()) left.progress = nullptr;
         return plan_active(zoned.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
     });
     std::vector<Plan> plans;
