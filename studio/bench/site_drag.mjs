@@ -86,7 +86,7 @@ function note() {
   window.drawn = [];
   const asked = new Map(); // by what the plan reaches
   let moved = 0;
-  addEventListener("pointermove", ({ timeStamp }) => (moved = timeStamp), true);
+  for (const type of ["pointermove", "pointerrawupdate"]) addEventListener(type, ({ timeStamp }) => (moved = timeStamp), true);
   window.Worker = class extends Worker {
     #move = 0;
     constructor(...parameters) {
