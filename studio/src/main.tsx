@@ -23,10 +23,10 @@ if (held) {
   const isSite = document.querySelector('meta[name="waybreaker-site"]') !== null; // `waybreaker site` wrote it
   const token = isSite || carried ? null : new TabToken();
   const studio = new Studio(carried ? carriedClient(carried) : token ? new HttpClient(token) : localClient());
-  render(<App page={studio.page} studio={studio} token={token} />, root);
   void missionIn(location, studio)
     .then((query) => (carried && !query ? openCarried(studio, carried.plan) : studio.maps.start(query)))
     .then(() => keepAddress(studio));
+  setTimeout(() => render(<App page={studio.page} studio={studio} token={token} />, root)); // after what is fetched was asked for
   // A link put into the address of this very page changes its fragment alone.
   addEventListener("hashchange", async ({ newURL }) => {
     const query = await missionIn(new URL(newURL), studio);
@@ -43,7 +43,7 @@ function localClient(): LocalClient {
 
 // Browsers compile while it comes, if it comes under its own type; not every host knows that.
 async function plannerModule(): Promise<WebAssembly.Module> {
-  const answer = await fetch("studio.wasm");
+  const answer = await fetch("studio.wasm", { priority: "low" }); // the map is seen first
   const isTyped = answer.headers.get("Content-Type")?.startsWith("application/wasm");
   return isTyped ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }

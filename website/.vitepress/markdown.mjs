@@ -1,6 +1,6 @@
 // What the site does to Markdown beside VitePress: links into the repository become links within the site.
-import { existsSync } from "node:fs";
-import { join } from "node:path";
+import { existsSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { base, inRepository, isBeside, root, siteLink } from "./pages.mjs";
 
 // VitePress writes a remark into the page where a snippet is missing.
@@ -27,6 +27,23 @@ function linksIntoPlayground({ tokens }) {
   }
 }
 
+// Of a picture in the repository, in pixels.
+function sizeOf(path) {
+  const bytes = readFileSync(path);
+  if (path.endsWith(".png")) return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+  const size = /^<svg [^>]*?width="(\d+)" height="(\d+)"/.exec(bytes.toString("utf8"));
+  return size && size.slice(1);
+}
+
+// Pictures have their room before they are there. Without it all lie in the first window, and none waits until it is seen.
+function giveRoom(token, file) {
+  const path = join(root, dirname(file), token.attrGet("src"));
+  const size = /\.(svg|png)$/.test(path) && existsSync(path) && sizeOf(path);
+  if (!size) return;
+  token.attrSet("width", String(size[0]));
+  token.attrSet("height", String(size[1]));
+}
+
 // The tabs of a group of code have random ids: here they count, so that two builds are equal.
 function countTabs(md) {
   const rule = "container_code-group_open";
@@ -48,10 +65,11 @@ export function repository(md) {
   md.renderer.rules.code_block = (tokens, index) =>
     `<pre v-pre tabindex="0"><code>${md.utils.escapeHtml(tokens[index].content)}</code></pre>\n`;
   md.core.ruler.push("links_into_playground", linksIntoPlayground);
-  md.core.ruler.push("links_of_the_site", (state) => {
+  md.core.ruler.push("links_and_pictures_of_the_site", (state) => {
     const file = fileOf(state.env);
     if (!file) return;
     for (const token of state.tokens.flatMap((token) => token.children ?? [])) {
+      if (token.type === "image") giveRoom(token, file);
       if (token.type !== "link_open") continue;
       const href = siteLink(token.attrGet("href"), file);
       token.attrSet("href", isBeside(href) ? base + href.slice(1) : href);

@@ -8,6 +8,7 @@ import {
   type Edits,
   type ExportFormat,
   mostObstacles,
+  pause,
   type Progress,
   ServiceError,
   stopped,
@@ -175,10 +176,12 @@ export class LocalClient implements Client {
     return this.#hold(id, held);
   }
 
-  // Nobody's signal ends it: others may wait for it.
+  // Nobody's signal ends it: others may wait for it. Parsing is a task by itself, so that the page stays quick to answer.
   async #fetchMap(id: string): Promise<Held> {
     const text = await (await this.folder.fetched(`maps/${id}.json`)).text();
-    return { ...(JSON.parse(text) as MapDocument), text, file: null };
+    const held = { ...(JSON.parse(text) as MapDocument), text, file: null };
+    await pause(0);
+    return held;
   }
 
   #known(map: string): Held {

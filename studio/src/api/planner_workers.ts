@@ -4,7 +4,7 @@ import { type Call, type FromWorker, idOfDocument, type ToWorker } from "../work
 import { type Progress, sentence, ServiceError, stopped } from "./client";
 
 const count = 2; // a plan and the way without removals come together
-const grace = 80; // ms that a stopped call has to end by itself: about what a new Worker takes
+const grace = 250; // ms that a stopped call has to end by itself: about what a new Worker and its map take
 const mostMaps = 4; // in one Worker
 
 // Of `Worker`.
@@ -73,10 +73,10 @@ export class PlannerWorkers {
   #freeSlot({ needs }: Job): Slot | undefined {
     const free = this.#slots.filter((slot) => !slot.job);
     const having = needs === null ? undefined : free.find((slot) => slot.maps.includes(needs));
-    const stopping = this.#slots.find((slot) => slot.isStopping);
-    if (free.length === 0 && stopping) {
-      end(stopping);
-      return stopping;
+    if (this.#slots.every((slot) => slot.isStopping)) {
+      const [slot] = this.#slots;
+      end(slot!);
+      return slot;
     }
     return having ?? free.find((slot) => slot.port) ?? free[0];
   }

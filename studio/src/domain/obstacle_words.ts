@@ -51,6 +51,7 @@ export function usesOf(obstacle: Obstacle): string[] {
 
 // With the tags that say so.
 function tagsOfUse(obstacle: Obstacle): [use: string, tag: TagFilter][] {
+  if (!obstacle.tags?.length) return [];
   const said = ["amenity", "tourism", "historic", "building"].flatMap((key) =>
     valuesOf(obstacle, key)
       .filter((value) => (key === "building" ? publicBuildings.has(value) : value !== "yes"))
@@ -81,7 +82,8 @@ export function usesAmong(obstacles: readonly Obstacle[]): Use[] {
 }
 
 function valuesOf({ tags = [] }: Obstacle, key: string): string[] {
-  return tags.filter((tag) => tag.startsWith(`${key}=`) && tag !== `${key}=no`).map((tag) => tag.slice(key.length + 1));
+  const start = `${key}=`;
+  return tags.filter((tag) => tag.startsWith(start) && tag !== `${start}no`).map((tag) => tag.slice(start.length));
 }
 
 // What else is to be said of an obstacle than what it is called, where the map says so.

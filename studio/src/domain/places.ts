@@ -26,23 +26,18 @@ function plain(text: string): string {
 }
 
 export class PlaceIndex {
-  readonly #entries: Entry[];
+  readonly isEmpty: boolean;
+  #made: Entry[] | null = null; // once somebody looks for something: on a large city that takes a moment
 
-  constructor(background: Background, cells: CellMap) {
-    const entries = new Map<string, Entry>();
-    const add = (entry: Entry) => {
-      const { name, obstacle } = entry.place;
-      const key = `${obstacle === null ? "" : entry.named ? "named" : obstacle} ${name}`;
-      const known = entries.get(key);
-      if (!known || known.size < entry.size) entries.set(key, entry);
-    };
-    for (const feature of background.features) if (feature.name) add(featureEntry(feature));
-    for (const entry of obstacleEntries(cells)) add(entry);
-    this.#entries = [...entries.values()];
+  constructor(
+    private readonly background: Background,
+    private readonly cells: CellMap,
+  ) {
+    this.isEmpty = !background.features.some(({ name }) => name) && obstacleEntries(cells).next().done === true;
   }
 
-  get isEmpty(): boolean {
-    return this.#entries.length === 0;
+  get #entries(): Entry[] {
+    return (this.#made ??= entriesOf(this.background, this.cells));
   }
 
   // The best few: what begins so before what has a word that does, before what has it anywhere.
@@ -60,6 +55,19 @@ export class PlaceIndex {
       .slice(0, mostFound)
       .map(({ entry }) => entry.place);
   }
+}
+
+function entriesOf(background: Background, cells: CellMap): Entry[] {
+  const entries = new Map<string, Entry>();
+  const add = (entry: Entry) => {
+    const { name, obstacle } = entry.place;
+    const key = `${obstacle === null ? "" : entry.named ? "named" : obstacle} ${name}`;
+    const known = entries.get(key);
+    if (!known || known.size < entry.size) entries.set(key, entry);
+  };
+  for (const feature of background.features) if (feature.name) add(featureEntry(feature));
+  for (const entry of obstacleEntries(cells)) add(entry);
+  return [...entries.values()];
 }
 
 function featureEntry(feature: Feature): Entry {

@@ -125,7 +125,8 @@ interface SurenessProps {
 // What is proven before the search has ended stands beside its progress.
 function Sureness({ judged, buildings, checking }: SurenessProps) {
   const sure = proof(judged.plan);
-  if (!sure || judged.rough === "draft") return null;
+  if (judged.rough === "draft") return <Draft />;
+  if (!sure) return null;
   const early = tooEarly(judged.plan);
   const { verdict } = judged;
   return (
@@ -158,6 +159,22 @@ function Sureness({ judged, buildings, checking }: SurenessProps) {
           </p>
         )
       )}
+    </div>
+  );
+}
+
+// As much room as what is said of the plan, so that nothing moves under the mouse.
+function Draft() {
+  return (
+    <div class="sureness">
+      <p class="pending">
+        <Icon name="about" />
+        Draft: the plan follows once the mouse rests
+      </p>
+      <p class="pending">
+        <Icon name="check" />
+        Not checked
+      </p>
     </div>
   );
 }

@@ -30,7 +30,7 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
   const [below, setBelow] = useState(0); // the timeline
   const plan = page.results.plans.value.after?.plan;
   useLayoutEffect(() => {
-    const all = marked();
+    const all = card.current && marked(); // marked() makes the browser lay out the page
     if (!card.current || !all) return;
     const { offsetWidth: width, offsetHeight: height, offsetParent } = card.current;
     setBelow((offsetParent?.getBoundingClientRect().bottom ?? all.bottom) - all.bottom);

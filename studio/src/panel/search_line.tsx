@@ -14,7 +14,8 @@ export function SearchLine({ studio }: { studio: Studio }) {
   const isNew = !after || studio.page.old.value; // what takes but a moment to follow is not told
   const state = searchState(results, isNew);
   const plan = isNew ? undefined : after.plan;
-  const isShort = state.stage === "waiting" && (state.seconds ?? 0) < soon;
+  const isSoon = state.stage === "waiting" || (state.stage === "looking" && after?.rough === "draft");
+  const isShort = isSoon && (state.seconds ?? 0) < soon;
   const text = isShort ? null : searchText(state);
   const known = state.stage === "ended" || isShort ? null : knownText(state, studio.page.units.value);
   const isHeld = studio.gone.value || studio.maps.lost.value !== null; // goes on by itself, or not at all

@@ -5,9 +5,11 @@ import type { PlanRequest } from "../api/documents";
 import { hasPaperMethod } from "../domain/agents";
 import type { LayerName } from "../domain/mission";
 import { type Plan, reached } from "../domain/plan";
+import { Chase } from "./chase";
 import { bestAtPrice, Curve, instead } from "./curve";
 import {
   beforeRequest,
+  canKeep,
   canRemove,
   draftBeforeRequest,
   draftRequest,
@@ -16,6 +18,7 @@ import {
   hasDraft,
   isCut,
   isHasty,
+  keptRequest,
   keyOf,
   paperRequest,
   planRequest,
@@ -34,21 +37,44 @@ export interface PlanService {
   check(map: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
 }
 
+// ms: where plans take longer, drafts follow the mouse.
+export interface Limits {
+  fluent: number; // drafts that keep what the last plan removed
+  slow: number; // rough ones, where nothing can be kept
+  patience: number; // rough ones in any case
+}
+
 export class PlanFetcher {
+  readonly #chase: Chase;
+  #removed: { key: string; ids: readonly number[] } | null = null; // by the last plan in full
   #curve: Curve | null = null;
   #kept: { key: string; plan: Plan } | null = null; // what stood in for a draft
   #took = 0; // ms, the last plan that was no draft
   #began = 0; // when the search did
 
-  // Where plans take longer than `fluent` ms, a draft comes first.
   constructor(
     private readonly service: PlanService,
     private readonly results: KnownResults,
-    private readonly fluent: number,
-  ) {}
+    private readonly limits: Limits,
+  ) {
+    this.#chase = new Chase(
+      (question, stop) => service.plan(question.map, planRequest(question, question.removals as number), stop),
+      (question, plan, began) => {
+        if (this.#removed?.key !== keyOf.places(question)) return; // something else is asked by now
+        this.#took = timeOf(plan, began);
+        this.#remember(question, plan);
+      },
+    );
+  }
+
+  // What was asked for beside what the caller waits for.
+  stop(): void {
+    this.#chase.stop();
+  }
 
   forget(): void {
     this.#took = 0;
+    this.#removed = null;
     this.#curve = null;
     this.#kept = null;
   }
@@ -56,8 +82,20 @@ export class PlanFetcher {
   // What has to follow the mouse: the plan, or a draft of it.
   async fetchFirst(question: Question, stop: AbortSignal): Promise<void> {
     this.#began = performance.now();
-    const isSlow = this.#took > this.fluent && hasDraft(question) && !this.#isKnown(question);
-    if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
+    const { fluent, slow, patience } = this.limits;
+    const removed = this.#took <= patience ? this.#removedBefore(question) : null;
+    const isSlow = this.#took > (removed ? fluent : slow) && hasDraft(question) && !this.#isKnown(question);
+    if (!isSlow || !(await this.#draft(question, removed, stop))) await this.#plan(question, stop);
+  }
+
+  // What a draft can go on removing: the last plan was for other places alone.
+  #removedBefore(question: Question): readonly number[] | null {
+    return canKeep(question) && this.#removed?.key === keyOf.places(question) ? this.#removed.ids : null;
+  }
+
+  #remember(question: Question, { agents, removed }: Plan): void {
+    const ids = removed.map(({ obstacle }) => obstacle);
+    this.#removed = agents.length > 0 ? { key: keyOf.places(question), ids } : null;
   }
 
   // The check of the plan that is shown, a longer search where the first was short, the way without removals, the curve,
@@ -81,6 +119,7 @@ export class PlanFetcher {
     const isKnown = this.#isKnown(question);
     const { removals } = question;
     const began = performance.now();
+    this.#chase.rest();
     const [after, before] = await Promise.all([
       removals === "auto"
         ? this.#trace(question, stop, this.#onProgress(stop)).then((plans) => bestAtPrice(plans, question.price))
@@ -89,7 +128,8 @@ export class PlanFetcher {
       kept || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
     if (stop.aborted) throw stopped();
-    if (!isKnown) this.#took = performance.now() - began;
+    if (!isKnown) this.#took = removals === "auto" ? performance.now() - began : timeOf(after, began);
+    this.#remember(question, after);
     const beside = before ? { plan: before, verdict: null } : kept;
     const isQuick = !isKnown && isHasty(after, question);
     const others = [beside?.plan, isQuick ? this.#draftOf(question) : undefined];
@@ -159,23 +199,27 @@ export class PlanFetcher {
     return known && !isAsGood(plan, known) ? instead(plan, known) : plan;
   }
 
-  // The same, fast but rough. Whether there is a plan.
-  async #draft(question: Question, stop: AbortSignal): Promise<boolean> {
+  // The same, fast: with what was removed before, or else roughly. Whether there is a plan.
+  async #draft(question: Question, removed: readonly number[] | null, stop: AbortSignal): Promise<boolean> {
     const kept = this.results.beforeFor(question);
     const shown = this.results.plans.value.after;
     const isAuto = question.removals === "auto";
     const known = this.#known(question);
     const removals = question.removals === "auto" ? (shown?.plan.removed.length ?? 1) : question.removals;
-    const [rough, before] = await Promise.all([
-      (isAuto && known) || this.service.plan(question.map, draftRequest(question, removals), stop),
-      kept || !question.withBefore ? null : this.service.plan(question.map, draftBeforeRequest(question), stop),
+    const asked = removed ? keptRequest(question, removed) : draftRequest(question, removals);
+    const askedBefore = removed ? beforeRequest(question) : draftBeforeRequest(question);
+    const [made, before] = await Promise.all([
+      (isAuto && known) || this.service.plan(question.map, asked, stop),
+      kept || !question.withBefore ? null : this.service.plan(question.map, askedBefore, stop),
+      removed && !isAuto && this.#chase.follow(question),
     ]);
+    const rough = removed && made !== known ? { ...made, bound: null } : made; // proven of what is kept alone
     if (stop.aborted) throw stopped();
     const plan = isAuto ? rough : this.#orKnown(question, rough);
     if (plan.agents.length === 0) return false;
     if (known) this.#kept = { key: keyOf.front(question), plan: known };
     const draft = (made: Plan): Judged => ({ plan: made, verdict: null, rough: "draft" });
-    const beside = before ? draft(before) : kept;
+    const beside = before ? (removed ? { plan: before, verdict: null } : draft(before)) : kept;
     this.results.answer(question, { after: draft(plan), ...(beside && { before: beside }) });
     return true;
   }
@@ -269,6 +313,11 @@ export class PlanFetcher {
   #show(layer: LayerName, judged: Judged, stop: AbortSignal): void {
     if (!stop.aborted) this.results.show(layer, judged);
   }
+}
+
+// ms: the planner's own, which is neither fetching of the planner and the map nor the network.
+function timeOf({ seconds }: Plan, began: number): number {
+  return seconds?.total !== undefined ? seconds.total * 1000 : performance.now() - began;
 }
 
 function isAsGood(plan: Plan, than: Plan): boolean {

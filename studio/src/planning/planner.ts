@@ -8,7 +8,8 @@ import { KnownResults } from "./results";
 export interface Pace {
   calm: number; // ms without change after which the rest is requested
   patience: number; // ms that a plan may take while a newer question waits
-  fluent: number; // ms: where plans take longer, a draft comes first
+  fluent: number; // ms: where plans take longer, one that keeps what the last removed follows the mouse
+  slow: number; // ms: where they take longer and nothing can be kept, a rough draft comes first
 }
 
 interface Work {
@@ -26,9 +27,9 @@ export class Planner {
 
   constructor(
     service: PlanService,
-    private readonly pace: Pace = { calm: 150, patience: 600, fluent: 80 },
+    private readonly pace: Pace = { calm: 150, patience: 600, fluent: 10, slow: 80 },
   ) {
-    this.#fetcher = new PlanFetcher(service, this.results, pace.fluent);
+    this.#fetcher = new PlanFetcher(service, this.results, pace);
   }
 
   ask(question: Question): void {
@@ -50,6 +51,7 @@ export class Planner {
   // Cancels what is asked for; what was shown before stays.
   stop(): void {
     this.#wanted = null;
+    this.#fetcher.stop();
     this.#resting?.control.abort();
     this.#resting = null;
     this.#working?.control.abort();

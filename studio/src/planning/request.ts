@@ -119,6 +119,16 @@ export function draftRequest(question: Question, removals: number): PlanRequest 
   return request(question, "draft", { removals });
 }
 
+// The plan that keeps what another removes: a fraction of the work, for there is nothing to choose.
+export function keptRequest(question: Question, removed: readonly number[]): PlanRequest {
+  return request(question, "exact", { removals: removed.length, force: [...removed], time_limit: quick });
+}
+
+// Whether that does for a draft.
+export function canKeep({ method, of }: Question): boolean {
+  return method === "exact" && drivesAlone(of.agents);
+}
+
 export function draftBeforeRequest(question: Question): PlanRequest {
   const { protect, force, ...options } = question.options;
   return request({ ...question, options }, "draft", { removals: 0 });
@@ -154,6 +164,11 @@ export function paperRequest(question: Question, removals: number): PlanRequest 
 // Which questions have the same answer.
 export const keyOf = {
   plan: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method, q.removals, q.removals === "auto" && q.price]),
+  // But for where agents start and end.
+  places: ({ mission, ...q }: Question) => {
+    const agents = mission.agents.map(({ start, goal, ...agent }) => agent);
+    return JSON.stringify([q.map, { ...mission, agents }, q.options, q.method, q.removals]);
+  },
   front: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method]),
   before: (q: Question) => JSON.stringify([q.map, beforeRequest(q)]),
 };

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ServiceError } from "../../src/api/client";
 import type { PlanRequest } from "../../src/api/documents";
+import type { Plan } from "../../src/domain/plan";
 import { Planner } from "../../src/planning/planner";
 import { planOf } from "../domain/plans";
 import { type Asked, FakeService, question } from "./fake_service";
@@ -8,7 +9,7 @@ import { type Asked, FakeService, question } from "./fake_service";
 const startIn = (request: { mission: PlanRequest["mission"] } | null) => request?.mission.agents[0]!.start;
 const startOf = (asked: Asked) => startIn(asked.request)?.[0];
 const settle = () => vi.advanceTimersByTimeAsync(0);
-const pace = { calm: 100, patience: 500, fluent: 80 };
+const pace = { calm: 150, patience: 500, fluent: 20, slow: 80 };
 
 let service: FakeService;
 let planner: Planner;
@@ -257,13 +258,102 @@ it("keeps what it shows when the service refuses or is gone", async () => {
   expect(planner.results.failure.value).toBeNull();
 });
 
+describe("where plans take a moment", () => {
+  const plan = planOf({ removed: [4], after: 90 });
+  const shown = () => planner.results.plans.value.after!;
+  const chased = 250; // ms after a draft
+
+  beforeEach(async () => {
+    planner.ask(question(1));
+    await vi.advanceTimersByTimeAsync(pace.fluent + 1);
+    service.last().answer(plan);
+    await settle();
+  });
+
+  it("a draft follows the mouse that keeps what was removed", async () => {
+    for (const x of [2, 3]) {
+      planner.ask(question(x));
+      expect(service.last().request?.options).toMatchObject({ select: "exact", force: [4], removals: 1 });
+      service.last().answer({ ...planOf({ removed: [4], after: 95 }), bound: { makespan: 95, gap: 0 } });
+      await settle();
+      expect(shown()).toMatchObject({ plan: { after: { makespan: 95 }, bound: null }, rough: "draft" });
+      expect(startIn(planner.results.answered.value)).toEqual([x, 0]);
+    }
+  });
+
+  // A drag from one place to another, of so many steps.
+  const drag = async (from: number, to: number, answer: Plan) => {
+    for (let x = from; x <= to; ++x) {
+      planner.ask(question(x));
+      service.last().answer(answer);
+      await vi.advanceTimersByTimeAsync((chased + 10) / (to - from + 1));
+    }
+  };
+
+  it("is planned in full behind the drafts, which keep what that removes", async () => {
+    await drag(2, 5, plan);
+    const full = service.last();
+    expect(startOf(full)).toBe(5); // the latest
+    expect(full.request?.options).toMatchObject({ select: "exact", removals: 2 });
+    expect(full.request?.options).not.toHaveProperty("force");
+    await drag(6, 6, plan);
+    planner.ask(question(7));
+    service.last().answer(plan);
+    full.answer(planOf({ removed: [5, 6], after: 80 }));
+    await settle();
+    expect(startIn(planner.results.answered.value)).toEqual([7, 0]);
+    expect(shown().plan).toEqual({ ...plan, bound: null });
+    planner.ask(question(8));
+    expect(service.last().request?.options).toMatchObject({ force: [5, 6], removals: 2 });
+  });
+
+  it("nothing follows behind once the mouse rests", async () => {
+    planner.ask(question(2));
+    service.last().answer(plan);
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    expect(service.last().request?.options).toMatchObject({ select: "exact", removals: 2 });
+    const asked = service.asked.length;
+    await vi.advanceTimersByTimeAsync(2 * chased);
+    expect(service.asked).toHaveLength(asked);
+    service.last().answer(plan);
+    await settle();
+    expect(shown()).toEqual({ plan, verdict: null });
+  });
+
+  it("nothing is kept where more than places has changed, or in the paper's method", async () => {
+    planner.ask(question(1, { removals: 3 }));
+    expect(service.last().request?.options).not.toHaveProperty("force");
+    service.last().answer(plan);
+    await settle();
+    planner.ask(question(1, { method: "paper" }));
+    await vi.advanceTimersByTimeAsync(pace.fluent + 1);
+    service.last().answer(plan);
+    await settle();
+    planner.ask(question(2, { method: "paper" }));
+    expect(service.last().request?.options).not.toHaveProperty("force");
+  });
+
+  it("goes on behind the drafts where that fails, and ends when it is stopped", async () => {
+    await drag(2, 5, plan);
+    service.last().fail(new ServiceError("refused", "Too much."));
+    await settle();
+    expect(planner.results.failure.value).toBeNull();
+    await drag(6, 9, plan);
+    const full = service.last();
+    expect(full.request?.options).not.toHaveProperty("force");
+    planner.stop();
+    await settle();
+    expect(full.signal?.aborted).toBe(true);
+  });
+});
+
 describe("where plans take long", () => {
   const draft = { select: "hits", planner: "theta", weight: 1.5 };
   const plan = planOf({ removed: [4], after: 90 });
 
   beforeEach(async () => {
     planner.ask(question(1));
-    await vi.advanceTimersByTimeAsync(pace.fluent + 50);
+    await vi.advanceTimersByTimeAsync(pace.patience + 50);
     service.last().answer(plan);
     await settle();
   });
@@ -297,7 +387,7 @@ describe("where plans take long", () => {
     expect(shown().plan).toMatchObject({ after: { makespan: 90 }, options: { removals: 3 }, bound: null });
     expect(shown().rough).toBe("draft");
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
-    await vi.advanceTimersByTimeAsync(pace.fluent + 50);
+    await vi.advanceTimersByTimeAsync(pace.slow + 50);
     service.last().answer(planOf({ removed: [5], after: 80, options: { removals: 3 } }));
     await settle();
     expect(shown().plan.after.makespan).toBe(80);

@@ -8,7 +8,7 @@ import { planOf } from "../domain/plans";
 import { FakeService, question } from "./fake_service";
 
 const settle = () => vi.advanceTimersByTimeAsync(0);
-const pace = { calm: 100, patience: 500, fluent: 80 };
+const pace = { calm: 100, patience: 500, fluent: 20, slow: 80 };
 const cut = (wanted: Parameters<typeof planOf>[0]): Plan => ({ ...planOf({ options: { removals: 2 }, ...wanted }), limit_reached: true });
 
 let service: FakeService;

@@ -40,6 +40,7 @@ export class Gestures {
     ): void => element.addEventListener(type, handle, { signal: this.#listening.signal, passive: false });
     on("pointerdown", (event) => this.#pointerDown(event));
     on("pointermove", (event) => this.#pointerMove(event));
+    on("pointerrawupdate", (event) => this.#pointerRaw(event as PointerEvent));
     on("pointerup", (event) => this.#pointerUp(event));
     on("pointercancel", (event) => this.#pointerCancel(event));
     on("pointerleave", () => this.#pointers.size === 0 && target.point(null));
@@ -97,6 +98,11 @@ export class Gestures {
     this.#moved = true;
     if (this.#doing === "drag") this.target.dragTo(at, false);
     else if (this.#doing === "pan") this.target.panBy(at[0] - from[0], at[1] - from[1]);
+  }
+
+  // Before the frame that "pointermove" waits for, where the browser tells: what follows the drag may be there with it.
+  #pointerRaw(event: PointerEvent): void {
+    if (this.#doing === "drag" && this.#moved && this.#pointers.has(event.pointerId)) this.target.dragTo(this.#at(event), false);
   }
 
   #pinch(moving: number, at: Point): void {

@@ -35,7 +35,7 @@ interface Sprite {
 
 export class LabelLayer {
   #background: Scene["background"] | null = null;
-  #names: Name[] = [];
+  #names: Name[] | null = null;
   #cells: Scene["cells"] | null = null;
   readonly #parts = new Map<string, Label[]>();
   #placed = 0; // parts, in this frame
@@ -43,16 +43,18 @@ export class LabelLayer {
   readonly #sizes = new Map<Name, TextSize>();
   readonly #sprites = new Map<string, Sprite>();
 
-  // Names where nothing else is to stand (`isFree`, in pixels). Whether there are more to come: in each frame, those of one
-  // part of the map at most are given their places.
+  // Names where nothing else is to stand (`isFree`, in pixels). Whether there are more to come: a new map is drawn before its
+  // names are gathered, and in each frame those of one part of the map at most are given their places.
   draw(frame: Frame, scene: Scene, isFree: (box: Box) => boolean): boolean {
     if (scene.background !== this.#background || scene.cells !== this.#cells) {
       this.#background = scene.background;
       this.#cells = scene.cells;
-      this.#names = namesOf(scene.background, scene.cells);
+      this.#names = null;
       this.#parts.clear();
       this.#sizes.clear();
+      return true;
     }
+    this.#names ??= namesOf(scene.background, scene.cells);
     if (this.#names.length === 0) return false;
     this.#placed = 0;
     this.#lacking = 0;
@@ -93,7 +95,7 @@ export class LabelLayer {
           if (this.#parts.size >= mostParts) this.#parts.clear();
           const [left, top] = [column * cells - 0.5, row * cells - 0.5];
           const part = intersection({ left, top, right: left + cells, bottom: top + cells }, mapBox(scene.map));
-          labels = placed(this.#names, scale, scene.map.cell_size, part, (name) => this.#sizeOf(context, name));
+          labels = placed(this.#names!, scale, scene.map.cell_size, part, (name) => this.#sizeOf(context, name));
           this.#parts.set(key, labels);
         }
         yield* labels;

@@ -15,7 +15,7 @@ function rgb(hex: string): Rgb {
 
 // As canvases keep them: red in the lowest byte.
 function pixel([r, g, b]: Rgb, alpha = 255): number {
-  return ((alpha << 24) | (b << 16) | (g << 8) | r) >>> 0;
+  return ((alpha << 24) | (Math.round(b) << 16) | (Math.round(g) << 8) | Math.round(r)) >>> 0;
 }
 
 function mix(a: Rgb, b: Rgb, share: number): Rgb {
@@ -23,9 +23,13 @@ function mix(a: Rgb, b: Rgb, share: number): Rgb {
   return [part(0), part(1), part(2)];
 }
 
+const faint = 0.3;
+
 // What drawing asks of each obstacle, by its id.
 export class ObstacleLooks {
   readonly of: Uint8Array; // index into `looks`
+  readonly #ofOne = new Map<number, boolean>();
+  readonly #there: ReadonlySet<number>;
 
   constructor(
     private readonly cells: CellMap,
@@ -33,9 +37,15 @@ export class ObstacleLooks {
   ) {
     this.of = new Uint8Array(cells.obstacles.length + 1);
     for (const obstacle of cells.obstacles) this.of[obstacle.id] = looks.indexOf(lookOf(obstacle, ruled));
+    this.#there = new Set(this.of.subarray(1));
   }
 
-  // How strongly an obstacle is parted from what it touches, from 0 to 1. Between two, only that with the lower number
+  // Whether any obstacle has this look.
+  has(look: number): boolean {
+    return this.#there.has(look);
+  }
+
+  // How strongly an obstacle is parted from what it touches: 0, faint, or 1. Between two, only that with the lower number
   // draws a line, so that it is no wider than towards a street. Waters run into each other, and sections of one
   // building are parted faintly.
   line(own: number, other: number): number {
@@ -44,10 +54,18 @@ export class ObstacleLooks {
     const look = looks[this.of[own]!]!;
     const ground = look === "water" || look === "cliff" || look === "forbidden" || look === "off_road" || look === "unknown";
     if (ground && this.of[own] === this.of[other]) return 0;
-    return this.#areOfOne(own, other) ? 0.3 : 1;
+    return this.#areOfOne(own, other) ? faint : 1;
   }
 
+  // Asked for each cell along their border.
   #areOfOne(a: number, b: number): boolean {
+    const pair = a * this.of.length + b;
+    let known = this.#ofOne.get(pair);
+    if (known === undefined) this.#ofOne.set(pair, (known = this.#shareStructure(a, b)));
+    return known;
+  }
+
+  #shareStructure(a: number, b: number): boolean {
     const [of, others] = [this.cells.obstacle(a)?.structures, this.cells.obstacle(b)?.structures];
     if (!of || !others) return false;
     return of.some(({ source_id }) => source_id !== undefined && others.some((one) => one.source_id === source_id));
@@ -64,7 +82,7 @@ export function obstaclePixels(
   const shades = looks.map((look) => ({ fill: rgb(colours[look].fill), edge: rgb(colours[look].edge) }));
   const paint = tile.level < 0 ? coarse : fine;
   const pixels = paint(cells, obstacles, tile, shades);
-  addPatterns(pixels, shades, tile.level);
+  addPatterns(pixels, shades, tile.level, obstacles);
   return pixels;
 }
 
@@ -87,15 +105,15 @@ const patterns: Partial<Record<Look, (x: number, y: number) => boolean>> = {
   unknown: (x, y) => ((x - y) & 7) === 0 || ((x + y) & 7) === 0,
 };
 
-function addPatterns(pixels: Uint32Array, shades: Shade[], level: number): void {
+function addPatterns(pixels: Uint32Array, shades: Shade[], level: number, obstacles: ObstacleLooks): void {
   looks.forEach((look, i) => {
     const marks = patterns[look];
-    if (!marks) return;
+    if (!marks || !obstacles.has(i)) return;
     const shade = shades[i]!;
     const plain = pixel(level < 0 ? overviewFill(shade) : shade.fill);
     const marked = pixel(mix(shade.fill, shade.edge, 0.6));
-    for (let k = 0; k < pixels.length; ++k) {
-      if (pixels[k] === plain && marks(k % tileSize, Math.floor(k / tileSize))) pixels[k] = marked;
+    for (let k = pixels.indexOf(plain); k >= 0; k = pixels.indexOf(plain, k + 1)) {
+      if (marks(k % tileSize, Math.floor(k / tileSize))) pixels[k] = marked;
     }
   });
 }
@@ -121,11 +139,13 @@ function fine(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: Sh
   const top = tile.row * count;
   const edgeShare = scale === 1 ? 0.35 : scale === 2 ? 0.75 : 1; // a line of one pixel is wide where a cell is one
   const fills = shades.map(({ fill }) => pixel(fill));
-  const shadeOf = (id: number): Shade => shades[obstacles.of[id]!]!;
+  const edges = shades.map((shade) => pixel(mix(shade.fill, shade.edge, edgeShare)));
+  const faintEdges = shades.map((shade) => pixel(mix(shade.fill, shade.edge, faint * edgeShare)));
   // The colour of the line that parts two; 0 where there is none.
   const line = (own: number, other: number): number => {
-    const strength = obstacles.line(own, other) * edgeShare;
-    return strength === 0 ? 0 : pixel(mix(shadeOf(own).fill, shadeOf(own).edge, strength));
+    if (own === other) return 0;
+    const strength = obstacles.line(own, other);
+    return strength === 0 ? 0 : (strength === faint ? faintEdges : edges)[obstacles.of[own]!]!;
   };
 
   let above = labelsInto(new Uint32Array(count + 2), cells, left - 1, top - 1);
@@ -141,7 +161,8 @@ function fine(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: Sh
       let end = i + 1;
       while (end <= count && row[end] === own) ++end;
       if (own !== 0) {
-        const [from, until] = [first + (i - 1) * scale, first + (end - 1) * scale];
+        const from = first + (i - 1) * scale;
+        const until = first + (end - 1) * scale;
         pixels.fill(fills[obstacles.of[own]!]!, from, until);
         pixels[from] = line(own, row[i - 1]!) || pixels[from]!;
         pixels[until - 1] = line(own, row[end]!) || pixels[until - 1]!;
@@ -153,7 +174,8 @@ function fine(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: Sh
       const own = row[i]!;
       if (own === 0) continue;
       const x = (i - 1) * scale;
-      const [upper, lower] = [line(own, above[i]!), line(own, below[i]!)];
+      const upper = line(own, above[i]!);
+      const lower = line(own, below[i]!);
       if (upper !== 0) pixels.fill(upper, first + x, first + x + scale);
       if (lower !== 0) pixels.fill(lower, last + x, last + x + scale);
     }
@@ -172,8 +194,8 @@ function coarse(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: 
   const top = tile.row * count;
   const bottom = Math.min(top + count, cells.height);
   const colours = shades.map(overviewFill);
-  const covered = new Uint32Array(tileSize * tileSize);
-  const sums = [0, 1, 2].map(() => new Uint32Array(tileSize * tileSize)); // of red, green and blue
+  const sum = () => new Uint32Array(tileSize * tileSize);
+  const [covered, red, green, blue] = [sum(), sum(), sum(), sum()];
   for (let y = top; y < bottom; ++y) {
     const start = ((y - top) >> shift) * tileSize;
     for (let i = cells.firstRun(y, left); i < cells.rowStart[y + 1]! && cells.from[i]! < right; ++i) {
@@ -184,7 +206,9 @@ function coarse(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: 
         const next = Math.min(((from >> shift) + 1) << shift, end);
         const at = start + (from >> shift);
         covered[at]! += next - from;
-        for (const part of [0, 1, 2] as const) sums[part]![at]! += (next - from) * colour[part];
+        red[at]! += (next - from) * colour[0];
+        green[at]! += (next - from) * colour[1];
+        blue[at]! += (next - from) * colour[2];
         from = next;
       }
     }
@@ -193,9 +217,7 @@ function coarse(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: 
   const pixels = new Uint32Array(tileSize * tileSize);
   for (let i = 0; i < pixels.length; ++i) {
     const sum = covered[i]!;
-    if (sum === 0) continue;
-    const part = (k: 0 | 1 | 2): number => Math.round(sums[k]![i]! / sum);
-    pixels[i] = pixel([part(0), part(1), part(2)], Math.round(sum * alphaOf));
+    if (sum !== 0) pixels[i] = pixel([red[i]! / sum, green[i]! / sum, blue[i]! / sum], Math.round(sum * alphaOf));
   }
   return pixels;
 }

@@ -20,6 +20,7 @@ export class TileCache {
   #capacity = usualCapacity;
   #painter: Painter | null = null;
   #missing: TileId[] = [];
+  #isRested = true; // the last drawing has painted nothing itself
 
   // From now on tiles are made by this painter. Those of another map of the same size still serve until they are.
   use(painter: Painter, keepOld: boolean): void {
@@ -35,8 +36,9 @@ export class TileCache {
     const tiles = tilesOver(visibleBox(camera, view), level, map);
     this.#capacity = Math.max(usualCapacity, 2 * tiles.length); // on a very large screen
     this.#missing = [];
+    this.#isRested = true;
     for (const root of tilesOver({ left: 0, top: 0, right: map.width, bottom: map.height }, coarsest, map)) {
-      if (!this.#isFresh(root)) this.#paint(root);
+      if (!this.#isFresh(root)) this.#isRested = false, this.#paint(root);
       else this.#used(keyOf(root)); // never given up
     }
     for (const tile of tiles) {
@@ -45,8 +47,10 @@ export class TileCache {
     }
   }
 
-  // Paints what the last drawing lacked until the time is `end`, one tile at least; whether something new can be drawn.
+  // Paints what the last drawing lacked until the time is `end`, one tile at least unless that drawing has painted; whether there
+  // is more to draw.
   paintMissing(end: number): boolean {
+    if (!this.#isRested && this.#missing.length > 0 && performance.now() >= end) return true;
     let painted = 0;
     while (this.#missing.length > 0 && (painted === 0 || performance.now() < end)) {
       this.#paint(this.#missing.shift()!);
