@@ -175,7 +175,7 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
             if (its.status == PlanStatus::solved) route = its.after.ground();
         }
         all = all && route.length;
-        if (route.length) finish.add(agent.kind, agent.ready_at + *route.length / agent.speed);
+        if (route.length) finish.add(agent, agent.ready_at + *route.length / agent.speed);
     }
     if (!all) return before;
     before.makespan = finish.makespan();
@@ -240,6 +240,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     if (!mission.rules.zones.empty())
         throw InputError(ErrorCode::contradiction, "zones",
                          "a mission with zones cannot be planned anew on its way yet; leave the zones out");
+    if (!mission.rules.collisions)
+        throw InputError(ErrorCode::contradiction, "collisions",
+                         "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
     const Report report{map, mission, plan, state, state.now + reaction};
     const std::vector<Position> positions = live::positions_of(report);
     const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);

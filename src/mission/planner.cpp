@@ -40,10 +40,10 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has aircraft that open its way: then nobody gets in anybody's way.
+// Whether one ground agent has aircraft that open its way, and all count alike: then nobody gets in anybody's way.
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
-    return count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
+    return mission.counts_alike() && count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
 }
 
 // What is best, or demolishes the least of what is about as good.

@@ -30,6 +30,8 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
     if (!mission.rules.zones.empty()) contradiction("a plan with zones cannot be rehearsed yet; leave the zones out");
+    if (!mission.rules.collisions)
+        contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }
 
 Spread spread_of(std::vector<double> values) {
