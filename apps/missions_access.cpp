@@ -37,7 +37,7 @@ struct MissionsAccessOptions {
 };
 
 // A place, on the cell where a vehicle can stand.
-struct Stop {
+struct Destination {
     Cell at;
     std::string name;
     double weight = 1;
@@ -60,9 +60,9 @@ io::PlaceCollection places_in_cells(const std::string& path, const io::MapFile& 
 }
 
 // Those on the map, each on the nearest free cell: houses are obstacles.
-std::vector<Stop> stops_of(const std::string& path, const io::MapFile& map) {
+std::vector<Destination> destinations_of(const std::string& path, const io::MapFile& map) {
     const OpenedMap closed(map.map);
-    std::vector<Stop> stops;
+    std::vector<Destination> found;
     std::size_t outside = 0;
     const std::vector<io::Place> places = places_in_cells(path, map).places;
     for (const io::Place& place : places) {
@@ -73,26 +73,27 @@ std::vector<Stop> stops_of(const std::string& path, const io::MapFile& map) {
             continue;
         }
         const Cell at{int(std::lround(place.at.x)), int(std::lround(place.at.y))};
-        if (const auto free = nearest_place(closed, at, {io::usual_radius(map)})) stops.push_back({*free, place.name, place.weight});
+        if (const auto free = nearest_place(closed, at, {io::usual_radius(map)}))
+            found.push_back({*free, place.name, place.weight});
     }
     if (outside > 0) note(io::input_name(path), fmt::format("{} of {} places lie off the map", outside, places.size()));
-    if (stops.empty()) throw InputError(io::input_name(path), 0, "has no place on the map");
-    return stops;
+    if (found.empty()) throw InputError(io::input_name(path), 0, "has no place on the map");
+    return found;
 }
 
 // The one with the shortest way as the map is; where there is none, the nearest in a straight line.
-const Stop& nearest(const std::vector<Stop>& all, Cell to, const OpenedMap& closed, Searcher& searcher) {
-    const Stop* best = &all.front();
+const Destination& nearest(const std::vector<Destination>& all, Cell to, const OpenedMap& closed, Searcher& searcher) {
+    const Destination* best = &all.front();
     double least = std::numeric_limits<double>::infinity();
     double least_straight = least;
-    for (const Stop& stop : all) {
+    for (const Destination& one : all) {
         if (all.size() == 1) break;
-        const SearchResult way = searcher.find(closed, stop.at, to, {.planner = Algorithm::astar});
+        const SearchResult way = searcher.find(closed, one.at, to, {.planner = Algorithm::astar});
         const double length = way.status == SearchStatus::found ? way.length : least;
-        const double straight = distance(stop.at, to);
+        const double straight = distance(one.at, to);
         const bool is_nearer = length < least || (std::isinf(least) && straight < least_straight);
         if (!is_nearer) continue;
-        best = &stop;
+        best = &one;
         least = length;
         least_straight = straight;
     }
@@ -100,13 +101,13 @@ const Stop& nearest(const std::vector<Stop>& all, Cell to, const OpenedMap& clos
 }
 
 Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map) {
-    const std::vector<Stop> hospitals = stops_of(options.from, map);
-    const std::vector<Stop> places = stops_of(options.to, map);
+    const std::vector<Destination> hospitals = destinations_of(options.from, map);
+    const std::vector<Destination> places = destinations_of(options.to, map);
     const OpenedMap closed(map.map);
     Searcher searcher;
     Mission mission;
     std::set<std::string> ids;
-    for (const Stop& place : places) {
+    for (const Destination& place : places) {
         const Cell hospital = nearest(hospitals, place.at, closed, searcher).at;
         const std::string number = std::to_string(mission.agents.size() + 1);
         std::string id = place.name.empty() ? number : place.name;
@@ -117,8 +118,8 @@ Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map)
         agent.body.radius = io::usual_radius(map);
     }
     for (int i = 1; i <= options.aircraft; ++i) {
-        Agent& agent = mission.agents.emplace_back(
-            aircraft(options.aircraft == 1 ? "air" : fmt::format("air{}", i), options.base.value_or(hospitals.front().at)));
+        Agent& agent = mission.agents.emplace_back(aircraft(options.aircraft == 1 ? "air" : fmt::format("air{}", i),
+                                                            options.base.value_or(hospitals.front().at)));
         agent.weight = 0;
     }
     mission.rules.objective = Objective::flowtime;
@@ -131,8 +132,7 @@ Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map)
 
 void run(const MissionsAccessOptions& options) {
     require_ending("--output", options.output, {".json"});
-    keep_inputs({{"--output", options.output}},
-                {{"MAP", options.map}, {"--from", options.from}, {"--to", options.to}});
+    keep_inputs({{"--output", options.output}}, {{"MAP", options.map}, {"--from", options.from}, {"--to", options.to}});
     const io::MapFile map = mapfile::read_map_file(options.map);
     const io::MissionDocument document{.mission = mission_of(options, map), .limits = {.seconds = 10}};
     io::write_whole(options.output, io::mission_text(document));
@@ -151,13 +151,13 @@ void setup_missions_access(CLI::App& missions, Run& run_chosen) {
         "access",
         "Make a mission with many places\n\n"
         "Writes the mission file that asks which openings bring a vehicle from a hospital, or a depot, to many places "
-        "soonest: one vehicle for each place, which counts for the place's weight, an aircraft that counts for nothing, "
-        "and vehicles that do not collide. What they make small is the sum of all arrivals, each times its weight. "
-        "A place inside an obstacle stands for the nearest free cell.");
+        "soonest: one vehicle for each place, which counts for the place's weight, and aircraft that count for "
+        "nothing. Vehicles do not collide. What they make small is the sum of all arrivals, each times its weight. A "
+        "place inside an obstacle stands for the nearest free cell.");
     add_file(*command, "MAP", options->map, "Map file of any kind")->required();
     add_file(*command, "--from", options->from,
-             "GeoJSON points, in longitude and latitude or with \"crs\": \"cells\": hospitals. Of several each place has "
-             "the one with the shortest way as the map is")
+             "GeoJSON points, in longitude and latitude or with \"crs\": \"cells\": hospitals. Of several each place "
+             "has the one with the shortest way as the map is")
         ->required();
     add_file(*command, "--to", options->to,
              "GeoJSON points: places, each with a weight, such as its people (default: 1), and a name")
@@ -171,9 +171,10 @@ void setup_missions_access(CLI::App& missions, Run& run_chosen) {
         "So many aircraft remove them (default: 1)");
     add_cell(*command, "--base", options->base, "Where aircraft start, and return to (default: the first hospital)");
     add_number(
-        *command, "--unreached", [options](double time) { options->unreached = time; }, {1e-6, most_breach_time}, "TIME",
-        "A place that is not reached by then counts as if it were reached then (default: the time it takes to drive once "
-        "around the map)");
+        *command, "--unreached", [options](double time) { options->unreached = time; }, {1e-6, most_breach_time},
+        "TIME",
+        "A place that is not reached by then counts as if it were reached then (default: the time it takes to drive "
+        "once around the map)");
     add_file(*command, "-o,--output", options->output, "The mission file to write (default: standard output)");
     set_examples(*command,
                  {"waybreaker missions access data/berlin-mitte.tif --from data/berlin-mitte-hospital.geojson --to "

@@ -23,8 +23,7 @@ class Planning {
         : interrupts_(interrupts),
           choice_{interrupts.deadline.share(mission.rules.collisions ? tuning::share_of_choice
                                                                      : tuning::share_of_choice_without_collisions),
-                  interrupts.stop, interrupts.expansions,
-                  interrupts.gap, interrupts.threads},
+                  interrupts.stop, interrupts.expansions, interrupts.gap, interrupts.threads},
           problem_(map, mission, choice_),
           crossing_(crossing),
           theta_(theta),

@@ -32,8 +32,8 @@ Cheapest cheapest(const Pool& pool, double weight, const std::vector<double>& pr
 Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::span<const team::Vehicle> closed)
     : problem_(problem),
       shape_(shape),
-      heeds_times_(can_heed_times() && (problem.rules().collisions ||
-                                        problem.vehicles().size() <= tuning::most_vehicles_in_time_at_first)),
+      heeds_times_(can_heed_times() &&
+                   (problem.rules().collisions || problem.vehicles().size() <= tuning::most_vehicles_in_time_at_first)),
       pools_(problem.vehicles().size()),
       proofs_(pools_.size()),
       memories_(pools_.size()),

@@ -16,7 +16,7 @@ namespace waybreaker::coalition {
 
 struct Column {
     std::vector<std::uint32_t> opened;  // positions in the vehicle's list of obstacles, sorted
-    double arrival = 0;                 // no earlier through these, waits for aircraft included, nor later than unreached; units of time
+    double arrival = 0;  // no earlier through these, waits included; Rules::unreached if that is earlier; units of time
 };
 
 // What is known of one vehicle.
@@ -43,8 +43,8 @@ class Columns {
     // obstacles, if that is known.
     Columns(const Problem& problem, Workers& workers, Shape shape, std::span<const team::Vehicle> closed = {});
 
-    // Of vehicles that are many and never collide, searches pass by when obstacles open at first: that says nearly as much
-    // in a fraction of the time. From now on they heed it. Whether they did not.
+    // Of vehicles that are many and never collide, searches first take obstacles as open from the beginning: that says
+    // nearly as much in a fraction of the time. From now on they heed when these open. Whether they did not before.
     bool heed_times();
 
     std::size_t size() const { return pools_.size(); }

@@ -47,7 +47,8 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
     least_sum_after_.assign(order_.size() + 1, 0);
     for (std::size_t k = order_.size(); k-- > 0;) {
         least_cost_after_[k] = least_cost_after_[k + 1] + proof.searches[order_[k]].least;
-        least_sum_after_[k] = least_sum_after_[k + 1] + weighted(problem.weight(order_[k]), columns.of(order_[k]).least);
+        least_sum_after_[k] =
+            least_sum_after_[k + 1] + weighted(problem.weight(order_[k]), columns.of(order_[k]).least);
     }
     if (const auto bound = bound_of(root)) {
         root.bound = *bound;

@@ -249,7 +249,8 @@ Waypoint read_waypoint(const JsonField& field) {
 }
 
 Agent read_agent_of_mission(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "approach"});
+    field.allow(
+        {"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "approach"});
     Agent agent;
     agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);

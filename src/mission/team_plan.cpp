@@ -243,8 +243,8 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
     for (const TimedOpening& opening : mission.rules.opened) opened.push_back(opening.obstacle);
     team::TeamPlan team = team::plan_team(OpenedMap(map, opened), mission, interrupts, crossing, searcher, tell);
     plan.status = plan_status(team.status);
-    const bool all_alone = mission.rules.unreached ||
-                           std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
+    const bool all_alone =
+        mission.rules.unreached || std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
     if (all_alone) {
         add_alone(mission, team.vehicles, plan);
     } else {

@@ -40,7 +40,8 @@ class Precedence {
     // The target is gone at that time, whoever flies.
     void open_by_itself(std::size_t target, double at) { unflown_[target] = at; }
 
-    // A vehicle of that weight, which takes the drive on which it arrives first. If it has none, all finish at infinity.
+    // A vehicle of that weight, which takes the drive on which it arrives first. If it has none, all finish at
+    // infinity.
     void add_vehicle(std::vector<Drive> drives, double weight = 1);
 
     // By target, when it is gone. `tours`: of each aircraft.
