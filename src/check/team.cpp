@@ -171,7 +171,7 @@ class TeamJudge {
             }
             if (path.reached) {
                 expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
-            } else if (driven > 0 || plan_.after.routes[i].length) {
+            } else if (plan_.after.routes[i].length) {
                 report(Rule::length, "the " + agent.id + " agent is not reached, and drives all the same");
             }
             const Point start = agent.from.value_or(Point(agent.start));

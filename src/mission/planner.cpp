@@ -104,7 +104,7 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         for (const Waypoint& p : path) {
             if (route.path.empty() || route.path.back() != Point(p.x, p.y)) route.path.emplace_back(p.x, p.y);
         }
-        route.length = path_length(route.path);
+        if (plan.agents[i].reached) route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
     add_entries(map, mission, plan);
