@@ -155,9 +155,10 @@ Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleI
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
              double seconds, double shorter_than) {
     const Body& body = trip.driver.body;
-    const bool found_it = trip.by_crossing() && (body.is_point() || square_stands_for(body));
-    return found_it ? opening_of(trip, std::move(removed), found, seconds)
-                    : open(trip, searchers, std::move(removed), shorter_than);
+    if (trip.by_crossing() && body.is_point()) return opening_of(trip, std::move(removed), found, seconds);
+    Opening opening = open(trip, searchers, removed, shorter_than);
+    if (!opening.limited || !trip.by_crossing() || !square_stands_for(body)) return opening;
+    return shorter(std::move(opening), opening_of(trip, std::move(removed), found, seconds));
 }
 
 Opening drivable(const Trip& trip, const Searchers& searchers, const CrossingPath& path,

@@ -54,9 +54,9 @@ bool square_stands_for(const Body& body);
 // always gives the same path.
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
              double shorter_than = std::numeric_limits<double>::infinity());
-// The same, of a set that a crossing search has found together with its path in so many seconds: for a point and a
-// square that path is taken. Of equally short ones it may be another than that of the search above, and the disc within
-// the square may then shorten it to another length.
+// The same, of a set that a crossing search has found together with its path in so many seconds: a point drives that
+// path. Of a square's equally short ones a disc may shorten each to another length, so a disc's is searched again; the
+// path found is at hand if a limit ends that.
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
              double seconds, double shorter_than = std::numeric_limits<double>::infinity());
 

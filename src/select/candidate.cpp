@@ -58,6 +58,14 @@ Candidate candidate_of(const Task& task, Opening opening) {
     return {std::move(opening), std::move(schedule), watch.seconds()};
 }
 
+Candidate candidate_of_needed(const Task& task, const Searchers& searchers, Opening opening) {
+    const std::size_t asked = opening.removed.size();
+    Candidate candidate = candidate_of(task, std::move(opening));
+    const std::vector<ObstacleId> needed = candidate.opening.removed;
+    if (needed.size() == asked) return candidate;
+    return candidate_of_needed(task, searchers, open(task.trip(), searchers, needed));
+}
+
 Candidate around_late_openings(const Task& task, const Searchers& searchers, Candidate through) {
     if (task.rules.opened.empty() || task.rules.timing == Timing::ignore) return through;
     const std::vector<ObstacleId> removed = through.opening.removed;

@@ -26,6 +26,9 @@ struct Candidate {
 // but for what must be removed; not where obstacles do not stand in time (the paper).
 Candidate candidate_of(const Task& task, Opening opening);
 
+// Of the set that is needed in the end, with that set's own path.
+Candidate candidate_of_needed(const Task& task, const Searchers& searchers, Opening opening);
+
 // The same set; where the path leads through what opens late by itself, the best of that and of paths around the one
 // that is waited for longest, then around that and the next, and so on.
 Candidate around_late_openings(const Task& task, const Searchers& searchers, Candidate through);

@@ -93,7 +93,8 @@ class PathsInTime {
             double last = 0;
             for (const TimedBreach& breach : schedule.breaches) {
                 const bool is_one_of_them = std::ranges::find(obstacles, breach.obstacle) != obstacles.end();
-                if (is_one_of_them) last = std::max(last, breach.cleared_at);
+                // What the path does without is breached whenever it suits the flight: that says nothing yet.
+                if (is_one_of_them && breach.entered_at) last = std::max(last, breach.cleared_at);
             }
             for (const TimedOpening& opening : task_.rules.opened) {
                 const bool is_one_of_them = std::ranges::find(obstacles, opening.obstacle) != obstacles.end();
@@ -199,15 +200,19 @@ double Evaluation::add(std::span<const ObstacleId> others, const CrossingResult*
     std::vector<ObstacleId> removed = task_.with_forced(others);
     std::ranges::sort(removed);
     if (const auto known = objectives_.find(removed); known != objectives_.end()) return known->second;
-    candidates_.push_back(
-        evaluate(task_, searchers_, opening_times_, removed, {least_, enough_ * near_bound}, found, seconds));
-    double objective = cost(task_, candidates_.back());
+    Candidate candidate =
+        evaluate(task_, searchers_, opening_times_, removed, {least_, enough_ * near_bound}, found, seconds);
+    double objective = cost(task_, candidate);
+    // What stands again leaves another set, which has a path of its own.
+    const std::vector<ObstacleId> needed = candidate.opening.removed;
+    const bool is_gain = objective < least_ * (1 - rounding);
+    if (needed.size() < removed.size() && !candidate.opening.limited) {
+        objective = is_gain ? add(needed) : infinity;
+    } else {
+        candidates_.push_back(std::move(candidate));
+        if (is_gain) least_ = objective;
+    }
     objectives_[removed] = objective;
-    const bool gains = objective < least_ * (1 - rounding);
-    if (gains) least_ = objective;
-    // What stands again leaves another set.
-    const std::vector<ObstacleId> needed = candidates_.back().opening.removed;
-    if (gains && needed.size() < removed.size()) objective = std::min(objective, add(needed));
     return objective;
 }
 

@@ -35,7 +35,8 @@ Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
     Selected selected;
     for (const GreedyStep& step : greedy_steps(task, searchers_.crossing)) {
         Opening opening = open(task.trip(), searchers_, step.removed, step.found, step.seconds);
-        selected.candidates.push_back(around_late_openings(task, searchers_, candidate_of(task, std::move(opening))));
+        selected.candidates.push_back(
+            around_late_openings(task, searchers_, candidate_of_needed(task, searchers_, std::move(opening))));
     }
     selected.limited = task.deadline.passed();
     return selected;

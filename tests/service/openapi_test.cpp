@@ -166,6 +166,7 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.rules.opened = {{{3}, 4.5}};
     document.mission.rules.failed = {{4}};
     document.mission.rules.retries = 2;
+    document.mission.rules.zones = {{.polygon = {{{9, 9}, {12, 9}, {12, 12}}}, .name = "field", .agents = {"air"}}};
     document.method.heuristic = Heuristic::octile;
     document.limits.expansions = 100;
     document.limits.gap = 0.01;
