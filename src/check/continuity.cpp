@@ -311,7 +311,8 @@ class ContinuityJudge {
         const bool takes_back = std::ranges::any_of(
             was.opened, [&](const TimedOpening& known) { return opening(state_.failed, known.obstacle) != nullptr; });
         if (is.timing != was.timing || is.objective != was.objective || is.separation != was.separation ||
-            is.at_goal != was.at_goal || is.zones != zones_left() || is.retries != was.retries ||
+            is.at_goal != was.at_goal || is.collisions != was.collisions || is.unreached != was.unreached ||
+            is.zones != zones_left() || is.retries != was.retries ||
             is.breach_time.per_obstacle != was.breach_time.per_obstacle ||
             is.breach_time.per_cell != was.breach_time.per_cell || (is.budget > was.budget && !takes_back))
             say("the rules are others");

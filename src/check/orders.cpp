@@ -86,7 +86,7 @@ class OrdersJudge {
         for (const Order& order : plan_.orders) judge_order(order);
         if (!found_.empty()) return std::move(found_);  // what follows reads moments
         judge_openings();
-        judge_passing();
+        if (terms_.rules.collisions) judge_passing();
         judge_progress();
         return std::move(found_);
     }

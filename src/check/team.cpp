@@ -135,7 +135,7 @@ class TeamJudge {
             discs.push_back({&path, agent.body.reach()});
         }
         if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
-        append(found_, judge_separation(discs, terms_));
+        if (terms_.rules.collisions) append(found_, judge_separation(discs, terms_));
         if (!broken) judge_figures();
     }
 
@@ -165,23 +165,30 @@ class TeamJudge {
             const Agent& agent = *agents_.at(path.id);
             const double end = path.path.back().t;
             makespan = std::max(makespan, end);
-            flowtime += end;
+            flowtime += agent.weight * end;
             if (agent.kind == AgentKind::ground) ground_makespan = std::max(ground_makespan, end);
             double driven = 0;
             for (std::size_t k = 1; k < path.path.size(); ++k) {
                 driven += std::hypot(path.path[k].x - path.path[k - 1].x, path.path[k].y - path.path[k - 1].y);
             }
-            expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
+            if (path.reached) {
+                expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
+            } else if (plan_.after.routes[i].length) {
+                report(Rule::length, "the " + agent.id + " agent is not reached, and drives all the same");
+            }
             const Point start = agent.from.value_or(Point(agent.start));
             const double straight = std::hypot(agent.goal.x - start.x, agent.goal.y - start.y);
-            all_alone = all_alone && plan_.before.routes[i].length;
+            const bool may_stay = agent.kind == AgentKind::ground && terms_.rules.unreached;
+            all_alone = all_alone && (plan_.before.routes[i].length || may_stay);
             const double length = plan_.before.routes[i].length.value_or(straight);
             if (length < straight - slack(terms_, straight)) {
                 report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
             }
-            const double arrival = agent.ready_at + length / agent.speed;
+            double arrival = agent.ready_at + length / agent.speed;
+            if (may_stay) arrival = std::min(arrival, *terms_.rules.unreached);
+            if (may_stay && !plan_.before.routes[i].length) arrival = *terms_.rules.unreached;
             alone = std::max(alone, arrival);
-            alone_sum += arrival;
+            alone_sum += agent.weight * arrival;
         }
         expect(Rule::makespan, "the makespan", plan_.after.makespan, makespan);
         expect(Rule::flowtime, "the flowtime", plan_.after.flowtime, flowtime);

@@ -84,7 +84,7 @@ double SortiePlanner::could_cost(const Draft& draft) const {
         const Agent& agent = *problem_.vehicles()[i];
         double least = infinity;
         for (const Way* way : menus_[i]) least = std::min(least, arrival(agent, *way, {}));
-        sum -= arrival(agent, draft.taken[i], draft.openings) - least;
+        sum -= agent.weight * (arrival(agent, draft.taken[i], draft.openings) - least);
     }
     return sum;
 }
@@ -152,7 +152,7 @@ void SortiePlanner::prepare(const Set& set) {
                 drive.passages.push_back({std::size_t(target), agent.ready_at + gate.after});
             }
         }
-        precedence_.add_vehicle(std::move(drives));
+        precedence_.add_vehicle(std::move(drives), agent.weight);
     }
 }
 

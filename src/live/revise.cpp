@@ -188,7 +188,7 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
             if (its.status == PlanStatus::solved) route = its.after.ground();
         }
         all = all && route.length;
-        if (route.length) finish.add(agent.kind, agent.ready_at + *route.length / agent.speed);
+        if (route.length) finish.add(agent, agent.ready_at + *route.length / agent.speed);
     }
     if (!all) return before;
     before.makespan = finish.makespan();
@@ -254,6 +254,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     if (mission.opens_own_way())
         throw InputError(ErrorCode::contradiction, "own_breaches",
                          "a mission of an agent that opens its own way cannot be planned anew on its way yet");
+    if (!mission.rules.collisions)
+        throw InputError(ErrorCode::contradiction, "collisions",
+                         "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
     validate_polygons(mission.rules.zones);
     Mission in_airspace = mission;
     set_airspaces(map, in_airspace);

@@ -40,10 +40,12 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has its way opened, by aircraft or by itself: then nobody gets in anybody's way.
+// Whether one ground agent has its way opened, by aircraft that count like it or by itself: then nobody gets in anybody's
+// way.
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
-    return count(AgentKind::ground) == 1 && (count(AgentKind::air) > 0 || mission.opens_own_way());
+    return mission.counts_alike() && count(AgentKind::ground) == 1 &&
+           (count(AgentKind::air) > 0 || mission.opens_own_way());
 }
 
 // What is best, or demolishes the least of what is about as good.
@@ -104,7 +106,7 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         for (const Waypoint& p : path) {
             if (route.path.empty() || route.path.back() != Point(p.x, p.y)) route.path.emplace_back(p.x, p.y);
         }
-        route.length = path_length(route.path);
+        if (plan.agents[i].reached) route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
     add_entries(map, mission, plan);

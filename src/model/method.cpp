@@ -69,6 +69,7 @@ void validate_own_way(const Mission& mission) {
     if (mission.agents.size() > 1) contradiction("it must be the mission's only agent");
     if (mission.rules.timing == Timing::ignore) contradiction("that takes time, so timing must be enforced");
     if (!mission.rules.force.empty()) contradiction("no other obstacle can be forced");
+    if (!mission.counts_alike()) contradiction("weight and unreached are for several agents");
 }
 
 // What agents may breach, and what must be removed.
@@ -104,12 +105,13 @@ void validate_team(const Mission& mission, const Method& method) {
     const auto aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind);
     const auto vehicles = std::ssize(mission.agents) - aircraft;
     const bool removes = aircraft > 0 && mission.rules.removals > 0;
-    if (removes && (vehicles > 1 || aircraft > 1) && method.flight != FlightRule::optimal) {
+    const bool drives_alone = vehicles == 1 && aircraft > 0 && mission.counts_alike();
+    if (removes && !(drives_alone && aircraft == 1) && method.flight != FlightRule::optimal) {
         throw InputError(
             ErrorCode::contradiction, "",
             "the aircraft of a team fly by optimal; nearest, the paper's rule, is for one vehicle and one aircraft");
     }
-    if (vehicles == 1 && aircraft > 0) return;
+    if (drives_alone) return;
     if (!method.diagonal)
         throw InputError(ErrorCode::contradiction, "", "several ground agents move by eight neighbours, not by four");
 }
