@@ -65,6 +65,13 @@ bool is_in_reach(const Map& map, const Obstacle& obstacle, const Agent& aircraft
     return std::ranges::any_of(map.boundary(obstacle.id), reaches);
 }
 
+// Of each, as from a place where two zones touch there are ways to both sides: one that another cannot fly.
+bool is_in_reach_of_all(const Map& map, const Obstacle& obstacle, const Mission& mission) {
+    return std::ranges::all_of(mission.agents, [&](const Agent& agent) {
+        return agent.kind == AgentKind::ground || is_in_reach(map, obstacle, agent);
+    });
+}
+
 class ZoneRules {
   public:
     ZoneRules(const Map& map, const Mission& mission) : map_(map), mission_(mission) {}
@@ -173,10 +180,11 @@ class ZoneRules {
             require_way(first->begin(), agent.begin(),
                         "from the start of the " + first->id + " agent to that of the " + agent.id + " agent");
         }
-        Agent scout = *first;
-        scout.airspace = air;
+        if (mission_.rules.force.empty()) return;
+        Mission flown = mission_;
+        set_airspaces(map_, flown);
         for (const ObstacleId id : mission_.rules.force) {
-            if (is_in_reach(map_, map_.obstacle(id), scout)) continue;
+            if (is_in_reach_of_all(map_, map_.obstacle(id), flown)) continue;
             throw InputError(ErrorCode::contradiction, std::to_string(id.value),
                              "obstacle " + std::to_string(id.value) +
                                  " must be removed, but the zones leave no cell beside it to breach it from");
@@ -251,7 +259,7 @@ InZones::InZones(const Map& map, const Mission& mission) : map_(map), mission_(m
         for (const Obstacle& obstacle : map.obstacles()) {
             if (obstacle.gone() || !obstacle.destructible || kept.contains(obstacle.id)) continue;
             if (opens_by_itself(rules, obstacle.id)) continue;
-            if (!is_in_reach(map, obstacle, *scout)) kept.insert(obstacle.id);
+            if (!is_in_reach_of_all(map, obstacle, *zoned_)) kept.insert(obstacle.id);
         }
     }
     for (const ObstacleId id : rules.protect) kept.insert(id);
