@@ -28,11 +28,11 @@ Case any_case(std::mt19937& random) {
     const auto below = [&](int count) { return int(random() % unsigned(count)); };
     PlainMap plain{5 + below(4), 3 + below(3), {}};
     plain.obstacles.assign(std::size_t(plain.width) * std::size_t(plain.height), 0);
-    const int walls = 3 + below(4);
+    const int walls = 2 + below(3);
     for (int wall = 0; wall < walls; ++wall) {
         const bool upright = below(2) == 0;
         Cell c{below(plain.width), below(plain.height)};
-        for (int length = 1 + below(5); length > 0 && !plain.blocked(c); --length) {
+        for (int length = 1 + below(4); length > 0 && !plain.blocked(c); --length) {
             plain.obstacles[plain.index(c)] = std::uint32_t(wall) + 1;
             ++(upright ? c.y : c.x);
         }
@@ -41,7 +41,7 @@ Case any_case(std::mt19937& random) {
     attributes[1].destructible = below(3) > 0;
     Case made{Map::from_labels(plain.width, plain.height, plain.obstacles, attributes), {}};
     Rules& rules = made.mission.rules;
-    rules.removals = 1 + below(3);
+    rules.removals = 1 + below(2);
     rules.objective = std::array{Objective::flowtime, Objective::flowtime, Objective::makespan,
                                  Objective::ground_makespan}[std::size_t(below(4))];
     rules.breach_time.per_obstacle = below(3);
