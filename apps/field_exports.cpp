@@ -71,13 +71,15 @@ std::string option_of(const FieldExports& exports) {
 void add_field_exports(CLI::App& command, FieldExports& exports) {
     add_file(command, "--gpx", exports.gpx,
              "Write a track with times for each agent and a way point for each breach, as GPX");
-    add_file(command, "--kml", exports.kml,
-             "Write tracks with times, breaches, and obstacles until and after they open, as KML, for Google Earth");
+    add_file(
+        command, "--kml", exports.kml,
+        "Write tracks with times, breaches, obstacles until and after they open, and zones, as KML, for Google Earth");
     add_file(command, "--qgc", exports.qgc,
-             "Write the flight of each aircraft as a .plan file of QGroundControl; several aircraft have a file each, "
-             "their ids before the ending: FILE-ID.plan");
+             "Write the flight of each aircraft, and a fence round its no-fly zones, as a .plan file of "
+             "QGroundControl; several aircraft have a file each, their ids before the ending: FILE-ID.plan");
     add_file(command, "--vda5050", exports.vda5050,
-             "Write orders of VDA 5050 3.0 for the vehicles, released up to each opening, and its zones, as JSON");
+             "Write orders of VDA 5050 3.0 for the vehicles, released up to each opening, and zones of what opens "
+             "and what they keep out of, as JSON");
     add_start_time(command, exports);
     add_number(
         command, "--altitude", [&exports](double metres) { exports.altitude = metres; }, {0.1, 1e5}, "METRES",
@@ -102,7 +104,8 @@ std::vector<std::pair<std::string, std::string>> export_plan(const FieldExports&
                                      .map = map,
                                      .to_lon_lat = geotiff::lon_lat_of(map.georeference),
                                      .starts_at = exports.starts_at,
-                                     .altitude = exports.altitude};
+                                     .altitude = exports.altitude,
+                                     .zones = asked.mission.rules.zones};
     std::vector<std::pair<std::string, std::string>> files;
     if (!exports.gpx.empty()) files.emplace_back(exports.gpx, exports::plan_gpx(placed));
     if (!exports.kml.empty()) files.emplace_back(exports.kml, exports::plan_kml(placed));

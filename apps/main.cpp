@@ -50,7 +50,7 @@ void setup(CLI::App& root, Run& run) {
     setup_export(root, run);
     setup_import(root, run);
     setup_map(root, run);
-    setup_missions_generate(root, run);
+    setup_missions(root, run);
     setup_experiment(root, run);
     setup_serve(root, run);
     setup_site(root, run);

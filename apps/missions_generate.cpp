@@ -115,12 +115,9 @@ void run(const MissionsGenerateOptions& options) {
 
 }  // namespace
 
-void setup_missions_generate(CLI::App& root, Run& run_chosen) {
+void setup_missions_generate(CLI::App& missions, Run& run_chosen) {
     auto options = std::make_shared<MissionsGenerateOptions>();
-    CLI::App* missions = root.add_subcommand("missions", "Make missions for experiments");
-    missions->require_subcommand(1);
-    set_examples(*missions, {"waybreaker missions generate data/berlin-mitte.tif -o berlin.scen"});
-    CLI::App* command = missions->add_subcommand(
+    CLI::App* command = missions.add_subcommand(
         "generate",
         "Draw missions at random, as the paper does\n\n"
         "On each map pairs of a start and a goal that lie far apart are drawn; those are kept whose Theta* path is "

@@ -25,7 +25,8 @@ struct PlanOptions {
     std::string agents;   // a scenario file
     std::optional<int> count;
     std::optional<int> aircraft;
-    std::optional<int> breaches;  // of each
+    std::optional<int> breaches;      // of each
+    std::optional<int> own_breaches;  // of the ground agent
     std::optional<GivenPlace> start;
     std::optional<GivenPlace> goal;
     std::optional<GivenPlace> air_start;

@@ -325,9 +325,9 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     if (context.asked.mission.is_team()) {
-        const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
+        const auto breaches = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
         const bool may_remove =
-            context.asked.mission.rules.removals > 0 && std::ranges::any_of(context.asked.mission.agents, flies);
+            context.asked.mission.rules.removals > 0 && std::ranges::any_of(context.asked.mission.agents, breaches);
         return heading(context, style) + rules(context) + "\n" + front(context, style) +
                team_table(plan, context, style) +
                (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.asked.mission)) +

@@ -96,6 +96,11 @@ std::vector<Agent> team_of(const PlanOptions& options, const io::MapFile& map, c
 }
 
 void share_out_flight(const PlanOptions& options, Mission& mission) {
+    if (options.own_breaches) {
+        mission.agents.pop_back();
+        mission.agents.front().own_breaches = *options.own_breaches;
+        return;
+    }
     if (options.breaches) mission.agents.back().breaches = *options.breaches;
     const int aircraft = options.aircraft.value_or(1);
     if (aircraft == 1) return;
@@ -117,6 +122,10 @@ void validate_sources_of_agents(const PlanOptions& options, const io::MapFile& m
         throw InputError("--agents and --mission both say who the agents are; drop one of them");
     }
     if (options.breaches && !options.aircraft) throw InputError("--breaches is for --aircraft N");
+    if (options.own_breaches && options.aircraft)
+        throw InputError("--own-breaches is for a ground agent without aircraft; drop --aircraft");
+    if (options.own_breaches && (!options.mission.empty() || lists_agents(options, map)))
+        throw InputError("--own-breaches is for --start and --goal; in a mission file the agent has breaches");
 }
 
 void validate_team_options(const PlanOptions& options, const io::MapFile& map, const Mission& mission) {
@@ -129,14 +138,13 @@ void validate_team_options(const PlanOptions& options, const io::MapFile& map, c
             "--paper, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground agent "
             "with aircraft");
     }
-    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
+    const auto breaches = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
     const bool selects = options.select.value_or(Selection::none) != Selection::none;
     const bool removes = options.removals.value_or(0) > 0 || selects || options.budget || !options.weights.empty();
-    if (removes && std::ranges::none_of(mission.agents, flies)) {
+    if (removes && std::ranges::none_of(mission.agents, breaches)) {
         throw InputError(
             "-n, --select, --budget and --weights need somebody who removes: add --aircraft N, or in a mission file an "
-            "agent of "
-            "kind air, or drop them");
+            "agent of kind air, or drop them");
     }
     const bool have_places = lists_agents(options, map) || !options.mission.empty();
     const bool elsewhere = (options.air_start || options.air_goal) && !options.aircraft;
@@ -161,6 +169,11 @@ void add_team_options(CLI::App& command, PlanOptions& options) {
     add_count(
         command, "--breaches", [&options](std::int64_t n) { options.breaches = int(n); }, 0, any_number,
         "How many obstacles each of the aircraft may breach (default: as many as may be removed)");
+    add_count(
+        command, "--own-breaches", [&options](std::int64_t n) { options.own_breaches = int(n); }, 1, any_number,
+        "No aircraft flies: the ground agent itself breaches up to so many obstacles in its way, and stands before "
+        "each "
+        "for as long as that takes");
     add_measure(command, "--separation", options.separation, radii, length_units, "LENGTH",
                 "Room between any two ground agents, in cells, or metres such as 2m (default: 0)");
     add_choice(command, "--at-goal", io::at_goal_words,

@@ -18,6 +18,25 @@ double waited(const Itinerary& agent) {
     return all;
 }
 
+// How many, and what they count for.
+std::string reached(const Plan& plan, const Mission& mission) {
+    if (!mission.rules.unreached) return "";
+    std::size_t vehicles = 0;
+    std::size_t arrived = 0;
+    double all = 0;
+    double weight = 0;
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        ++vehicles;
+        all += mission.agents[i].weight;
+        if (!plan.agents[i].reached) continue;
+        ++arrived;
+        weight += mission.agents[i].weight;
+    }
+    return fmt::format("\n{} of {} ground agents get there by {:g}: {:g} of {:g} by weight\n", arrived, vehicles,
+                       *mission.rules.unreached, weight, all);
+}
+
 std::string reason(const Wait& wait, const io::MapFile& map) {
     switch (wait.reason) {
         case WaitReason::readiness:
@@ -44,7 +63,8 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Itinerary& agent = plan.agents[i];
         rows.push_back({shortened(agent.id), text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
-                        text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
+                        text(plan.after.routes[i].length, 3), agent.reached ? text(agent.path.back().t, 3) : "-",
+                        agent.reached ? text(waited(agent), 3) : "-"});
         if (context.asked.method.explain) rows.back().push_back(text(agent.gain, 3));
     }
     const double cell_size = context.map.cell_size;
@@ -58,7 +78,7 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
     for (const Objective time : render::shown_times(context.asked.mission.rules.objective)) {
         add(render::name_of(time, context.asked.mission), value(plan.before, time), value(plan.after, time));
     }
-    return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
+    return aligned(rows, style.bold) + "\n" + aligned(times, style.bold) + reached(plan, context.asked.mission);
 }
 
 std::string waits(const Plan& plan, const io::PlanContext& context) {
@@ -66,7 +86,7 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
     double all = 0;
     std::vector<std::string> lines;
     for (const Itinerary& agent : plan.agents) {
-        if (agent.kind != AgentKind::ground) continue;
+        if (agent.kind != AgentKind::ground || !agent.reached) continue;
         for (const Wait& wait : explained ? agent.waits : stands(agent)) {
             all += wait.until - wait.from;
             lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n",

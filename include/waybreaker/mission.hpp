@@ -26,7 +26,7 @@ template <>
 inline constexpr std::array<std::string_view, 2> words_of<AgentKind>{"ground", "air"};
 
 // What a plan is to make small: when the last agent reaches its goal; the sum over agents of when each reaches its
-// goal; or when the last ground agent does, whenever the aircraft is home.
+// goal, times its weight; or when the last ground agent does, whenever the aircraft is home.
 enum class Objective { makespan, flowtime, ground_makespan };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Objective>{"makespan", "flowtime", "ground-makespan"};
@@ -44,6 +44,7 @@ inline constexpr std::array<std::string_view, 2> words_of<AtGoal>{"stay", "leave
 // Speeds of agents, in cells per unit of time: within these every time is a number one can use.
 inline constexpr double least_speed = 1e-6;
 inline constexpr double most_speed = 1e6;
+inline constexpr double most_weight_of_agent = 1e9;
 // Of obstacles that an air agent may breach: as many as the rules allow to all of them.
 inline constexpr int any_number = (std::numeric_limits<int>::max)();  // windows.h has a macro max
 
@@ -76,7 +77,12 @@ struct Agent {
     // How it gets to its start, of an agent that is on its way already: timed points, the last one at the start at
     // `ready_at`. Where and when they begin, the agent begins; others keep clear of a ground agent on it.
     std::vector<Waypoint> approach = {};
+    // What its arrival counts for in the flowtime, in people or beds, 0 to most_weight_of_agent.
+    double weight = 1;
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
+    // How many obstacles in its way a ground agent may breach itself, >= 0. It stands where it touches them while it
+    // does. Of a mission's only agent; then no aircraft flies.
+    int own_breaches = 0;
     // Where an air agent may fly. Of a mission, Rules::zones say it, and planning sets this.
     Airspace airspace = {};
 
@@ -120,6 +126,12 @@ struct Rules {
     // Of the plans whose objective is at most this share above the best one's, the one that demolishes the fewest
     // cells, 0 to 1; empty: the best plan, whatever it demolishes.
     std::optional<double> minimise_demolition = {};
+    // Whether ground agents keep clear of each other. If not, they may be anywhere at once, as destinations of one
+    // vehicle after the other are.
+    bool collisions = true;
+    // A ground agent that is not at its goal by then stays at its start, and counts as if it arrived then; empty: each
+    // must arrive. Where ground agents do not collide.
+    std::optional<double> unreached = {};
     // Of several ground agents: the room between any two of their discs, in cells, 0 to 32; and whether those that have
     // arrived are in the way of others.
     double separation = 0;
@@ -130,13 +142,18 @@ inline constexpr std::size_t most_agents = 10000;
 
 struct Mission {
     // One ground and one air agent, in any order; or a team (docs/coalition.md): any number of ground agents, and
-    // aircraft. Without aircraft nothing is removed, whatever the rules allow.
+    // aircraft; or one ground agent that opens its own way (docs/crews.md). Where nobody may breach, nothing is
+    // removed, whatever the rules allow.
     std::vector<Agent> agents = {};
     Rules rules = {};
 
-    // Whether it has agents, and others than one ground and one air agent.
+    // Whether it has agents, and others than one ground and one air agent that count alike.
     bool is_team() const;
-    // How many obstacles may be removed: by the rules, and by what all aircraft may breach.
+    // Whether each agent must arrive, and counts for as much as any other.
+    bool counts_alike() const;
+    // Whether a ground agent breaches what is in its way itself.
+    bool opens_own_way() const;
+    // How many obstacles may be removed: by the rules, and by what all agents may breach.
     int removals_allowed() const;
 
     // The first agent of that kind. REQUIRES: there is one, as validate makes sure.

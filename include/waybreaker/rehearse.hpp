@@ -6,8 +6,8 @@
 //
 // Agents keep to the plan's orders, not to its times: each goes on as early as those allow. Whenever something has
 // happened that makes the plan another one, it is revised (revise.hpp), and they go on with that. The executor shares
-// no code with planners and checker, and counts what no execution may have: discs that overlap, and bodies in
-// obstacles that stand.
+// no code with planners and checker, and counts what no execution may have: discs that overlap, bodies in
+// obstacles that stand, and agents in zones.
 #pragma once
 
 #include <array>
@@ -77,7 +77,7 @@ struct Rehearsed {
     int blocked = 0;         // streets
     int lost = 0;            // aircraft
     int revisions = 0;       // plans made, whether others came out of it or not
-    int illegal = 0;         // pairs of vehicles that overlapped, and vehicles in obstacles that stood, each once
+    int illegal = 0;         // pairs of vehicles that overlapped, vehicles in what stood, agents in zones: each once
     std::string fault = {};  // the first of these, for a person
     friend bool operator==(const Rehearsed&, const Rehearsed&) = default;
 };

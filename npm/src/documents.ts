@@ -22,6 +22,10 @@ export interface GroundAgent {
   ready_at?: number;
   /** How it gets to its start if it is on its way already: the last point is there, at ready_at. */
   approach?: Waypoint[];
+  /** How many obstacles in its way it removes itself at most, if it is the mission's only agent; 0. */
+  breaches?: number;
+  /** What its arrival counts for in the flowtime, in people or beds; 1. */
+  weight?: number;
 }
 
 export interface AirAgent {
@@ -34,6 +38,7 @@ export interface AirAgent {
   /** As of a ground agent. */
   ready_at?: number;
   approach?: Waypoint[];
+  weight?: number;
   /** How many obstacles it removes at most; no limit. */
   breaches?: number;
 }
@@ -67,6 +72,10 @@ export interface Rules {
   objective?: Objective;
   /** A share, 0 to 1: of the plans that are at most so much worse than the best, the one that demolishes least. */
   minimise_demolition?: number;
+  /** Whether vehicles keep clear of each other; true. */
+  collisions?: boolean;
+  /** A vehicle that is not at its goal by then counts as if it arrived then; with `collisions: false`. */
+  unreached?: number;
   /** In cells, between vehicles; 0. */
   separation?: number;
   at_goal?: "stay" | "leave";
@@ -161,6 +170,8 @@ export interface Itinerary {
   speed: number;
   start: Cell;
   goal: Cell;
+  /** Only if false: it is not at its goal in time, and stands at its start until `unreached` of the rules. */
+  reached?: boolean;
   gain?: number;
   waits?: Wait[];
   path: Waypoint[];

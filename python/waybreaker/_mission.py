@@ -23,7 +23,9 @@ class Vehicle:
     ``start`` and ``goal`` are cells. ``speed`` is in cells per unit of time, ``radius`` in cells (by default half a
     cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that
     passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time; or comes there on
-    its ``approach``, points ``[x, y, t]`` that end at its start then.
+    its ``approach``, points ``[x, y, t]`` that end at its start then. Its arrival counts ``weight`` times in the
+    flowtime (1), as so many people or beds. A mission's only agent may itself breach at most ``breaches`` obstacles
+    in its way (None: none).
     """
 
     start: Cell
@@ -34,6 +36,8 @@ class Vehicle:
     corners: Optional[Literal["none", "cut", "squeeze"]] = None
     ready_at: Optional[float] = None
     approach: Optional[Sequence[Sequence[float]]] = None
+    weight: Optional[float] = None
+    breaches: Optional[int] = None
 
     @property
     def kind(self) -> Literal["ground"]:
@@ -45,7 +49,7 @@ class Aircraft:
     """An air agent: flies straight over everything and breaches at most ``breaches`` obstacles (None: no limit).
 
     ``start`` and ``goal`` are cells, but ``start`` may be any place between centres, ``speed`` is in cells per unit
-    of time. ``ready_at`` and ``approach`` are as those of a vehicle.
+    of time. ``ready_at``, ``approach`` and ``weight`` are as those of a vehicle.
     """
 
     start: Tuple[float, float]
@@ -55,6 +59,7 @@ class Aircraft:
     breaches: Optional[int] = None
     ready_at: Optional[float] = None
     approach: Optional[Sequence[Sequence[float]]] = None
+    weight: Optional[float] = None
 
     @property
     def kind(self) -> Literal["air"]:
@@ -74,7 +79,9 @@ class Rules:
     ``{"obstacle": number, "at": time}``. Of a mission under way, ``failed`` are numbers of obstacles whose breach has
     failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and
     ``breach_time_per_cell`` are in units of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share
-    of the objective, 0 to 1. ``zones``: what agents keep out of, GeoJSON in cells as in docs/crews.md.
+    of the objective, 0 to 1. ``zones``: what agents keep out of, GeoJSON in cells as in docs/crews.md. Without
+    ``collisions`` vehicles may be anywhere at once, and one that is not at its goal at the time ``unreached`` counts as
+    if it arrived then.
     """
 
     removals: Optional[int] = None
@@ -93,6 +100,8 @@ class Rules:
     separation: Optional[float] = None
     at_goal: Optional[Literal["stay", "leave"]] = None
     zones: Optional[Mapping[str, Any]] = None
+    collisions: Optional[bool] = None
+    unreached: Optional[float] = None
 
 
 @dataclass(frozen=True)

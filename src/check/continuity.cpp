@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "waybreaker/check.hpp"
+#include "check/judge.hpp"
 
 namespace waybreaker {
 namespace {
@@ -150,14 +150,24 @@ class ContinuityJudge {
         if (away(first, rest.front()) > 1e-3 * std::max(1.0, path.speed))
             say("the " + path.id + " agent does not go on from where it is", path.id);
         const bool had_arrived = rest.size() == 1;
+        const auto place = [](const Waypoint& p) { return Point(p.x, p.y); };
+        const Point next = place(rest[had_arrived ? 0 : 1]);
+        const bool is_barred =
+            old.kind == AgentKind::air && checker::flies_in_zone(old_mission_, old.id, place(rest.front()), next);
         if (!(same(first.t, state_.now) || (had_arrived && first.t < state_.now)))
             say("the path of the " + path.id + " agent does not begin now", path.id);
         std::size_t piece = 0;
         for (std::size_t k = 1; k <= decision.point; ++k) {
             const Waypoint& p = path.path[k];
             const double most = k == decision.point ? aside : 1e-3;
+            const std::size_t before = piece;
             while (piece + 1 < rest.size() && away(p, rest[piece], rest[piece + 1]) > most) ++piece;
             const bool is_on = rest.size() == 1 ? away(p, rest.front()) <= most : piece + 1 < rest.size();
+            if (!is_on && before == 0 && is_barred) {
+                // It gets to the first point ahead some other way.
+                piece = 0;
+                continue;
+            }
             if (!is_on) return say("the " + path.id + " agent leaves its base before it decides", path.id);
             if (on_time && k < decision.point && !is_planned(rest, p))
                 return say("the " + path.id + " agent does not keep the times of its base", path.id);
@@ -282,6 +292,18 @@ class ContinuityJudge {
         }
     }
 
+    // Without those who take no further part, and what held for them alone.
+    std::vector<Zone> zones_left() const {
+        std::vector<Zone> zones;
+        for (Zone zone : old_mission_.rules.zones) {
+            const bool held_for_all = zone.agents.empty();
+            const auto is_gone = [&](const std::string& id) { return is_out(named(state_.agents, id)); };
+            std::erase_if(zone.agents, is_gone);
+            if (held_for_all || !zone.agents.empty()) zones.push_back(std::move(zone));
+        }
+        return zones;
+    }
+
     void judge_rules() {
         const Rules& was = old_mission_.rules;
         const Rules& is = mission_.rules;
@@ -289,7 +311,8 @@ class ContinuityJudge {
         const bool takes_back = std::ranges::any_of(
             was.opened, [&](const TimedOpening& known) { return opening(state_.failed, known.obstacle) != nullptr; });
         if (is.timing != was.timing || is.objective != was.objective || is.separation != was.separation ||
-            is.at_goal != was.at_goal || is.zones != was.zones || is.retries != was.retries ||
+            is.at_goal != was.at_goal || is.collisions != was.collisions || is.unreached != was.unreached ||
+            is.zones != zones_left() || is.retries != was.retries ||
             is.breach_time.per_obstacle != was.breach_time.per_obstacle ||
             is.breach_time.per_cell != was.breach_time.per_cell || (is.budget > was.budget && !takes_back))
             say("the rules are others");

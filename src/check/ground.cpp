@@ -39,16 +39,18 @@ bool keeps_inside(Vertex v, const Map& map, const Shape& body) {
 
 class GroundJudge {
   public:
-    GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms)
+    // `stops_on_moves`: it may stop between vertices.
+    GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms, bool stops_on_moves)
         : map_(map),
           ground_(ground),
           terms_(terms),
+          stops_on_moves_(stops_on_moves),
           body_(shape_of(terms.body)),
           standing_(standing_until(map, plan, terms)) {}
 
     Drive judge() {
         if (!read_legs()) return {std::move(found_)};
-        for (const Leg& leg : legs_) {
+        for (const StoppedLeg& leg : legs_) {
             judge_leg(leg);
             if (found_.size() > enough_violations) return {std::move(found_)};
         }
@@ -56,6 +58,16 @@ class GroundJudge {
     }
 
   private:
+    // A move, its times without the stops on it: when each would begin, and how long it lasts.
+    struct Stop {
+        double at;
+        double lasts;
+    };
+    struct StoppedLeg {
+        Leg move;
+        std::vector<Stop> stops;
+    };
+
     void report(Rule rule, const std::string& what, Point place, double time, ObstacleId obstacle = {}) {
         found_.push_back({rule, "the " + ground_.id + " agent " + what, ground_.id, obstacle, place, time});
     }
@@ -64,17 +76,49 @@ class GroundJudge {
     bool read_legs() {
         const std::vector<Waypoint>& path = ground_.path;
         std::vector<Vertex> vertices;
-        for (const Waypoint& point : path) {
+        std::vector<std::size_t> points;  // of the path, that are vertices
+        bool bends_at_vertices = true;
+        for (std::size_t i = 0; i < path.size(); ++i) {
             if (found_.size() > enough_violations) return false;
-            if (const std::optional<Vertex> v = read_vertex(point)) vertices.push_back(*v);
+            if (stops_on_moves_ && is_stop_on_move(i)) continue;
+            if (const std::optional<Vertex> v = read_vertex(path[i])) {
+                vertices.push_back(*v);
+                points.push_back(i);
+            } else {
+                bends_at_vertices = false;
+            }
         }
-        if (vertices.size() < path.size()) return false;
+        if (!bends_at_vertices) return false;
         // Who does not move at all stands there.
-        if (path.size() == 1) legs_.push_back({vertices[0], vertices[0], path[0].t, path[0].t});
-        for (std::size_t i = 1; i < path.size(); ++i) {
-            legs_.push_back({vertices[i - 1], vertices[i], path[i - 1].t, path[i].t});
+        if (path.size() == 1) legs_.push_back({{vertices[0], vertices[0], path[0].t, path[0].t}, {}});
+        for (std::size_t k = 1; k < vertices.size(); ++k) {
+            StoppedLeg leg{{vertices[k - 1], vertices[k], path[points[k - 1]].t, path[points[k]].t}, {}};
+            for (std::size_t i = points[k - 1] + 1; i < points[k]; ++i) {
+                const bool is_pause = path[i].x == path[i - 1].x && path[i].y == path[i - 1].y;
+                if (!is_pause) continue;
+                const double lasts = path[i].t - path[i - 1].t;
+                leg.stops.push_back({path[i - 1].t - (path[points[k]].t - leg.move.end), lasts});
+                leg.move.end -= lasts;
+            }
+            legs_.push_back(std::move(leg));
         }
         return true;
+    }
+
+    // Whether that point of the path lies within a straight move: no vertex, and in line with its neighbours.
+    bool is_stop_on_move(std::size_t i) const {
+        const std::vector<Waypoint>& path = ground_.path;
+        if (vertex(path[i], map_, body_)) return false;
+        std::size_t before = i;
+        while (before > 0 && !vertex(path[before], map_, body_)) --before;
+        std::size_t after = i;
+        while (after + 1 < path.size() && !vertex(path[after], map_, body_)) ++after;
+        const double dx = path[after].x - path[before].x;
+        const double dy = path[after].y - path[before].y;
+        const double length = std::hypot(dx, dy);
+        if (!(length > 0)) return false;
+        const double across = (path[i].x - path[before].x) * dy - (path[i].y - path[before].y) * dx;
+        return std::abs(across) <= terms_.tolerance * length;
     }
 
     std::optional<Vertex> read_vertex(const Waypoint& point) {
@@ -96,13 +140,27 @@ class GroundJudge {
         return std::isfinite(until) ? "stands until " + text(until) : "is not removed";
     }
 
-    void judge_leg(const Leg& leg) {
-        for (const Contact& contact : contacts(map_, leg, body_.radius)) {
+    // What is met where it stops is met when it goes on.
+    double with_stops(double time, const std::vector<Stop>& stops) const {
+        double all = 0;
+        for (const Stop& stop : stops) all += time + slack(terms_, time) >= stop.at ? stop.lasts : 0;
+        return time + all;
+    }
+
+    void judge_leg(const StoppedLeg& stopped) {
+        const Leg& leg = stopped.move;
+        const auto late = [&](auto met) {
+            met.time = with_stops(met.time, stopped.stops);
+            return met;
+        };
+        for (const Contact& moving : contacts(map_, leg, body_.radius)) {
+            const Contact contact = late(moving);
             judge_contact(contact);
             note_entry(contact);
         }
         if (body_.radius == 0) {
-            for (const Passage& passage : side_passages(map_, leg)) {
+            for (const Passage& moving : side_passages(map_, leg)) {
+                const Passage passage = late(moving);
                 judge_passage(passage);
                 // Who moves between two cells is inside neither, and touches both.
                 note_entry({passage.first, passage.time, passage.place});
@@ -110,7 +168,7 @@ class GroundJudge {
             }
         }
         if (!body_.slips) {
-            for (const Passage& passage : corner_passages(map_, leg)) judge_passage(passage);
+            for (const Passage& passage : corner_passages(map_, leg)) judge_passage(late(passage));
         }
     }
 
@@ -139,9 +197,10 @@ class GroundJudge {
     const Map& map_;
     const Itinerary& ground_;
     const Terms& terms_;
+    const bool stops_on_moves_;
     const Shape body_;
     const std::vector<double> standing_;
-    std::vector<Leg> legs_;
+    std::vector<StoppedLeg> legs_;
     Entries entries_;
     Violations found_;
 };
@@ -164,7 +223,7 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 }
 
 Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms) {
-    if (asked.approach.empty()) return GroundJudge(map, plan, ground, terms).judge();
+    if (asked.approach.empty()) return GroundJudge(map, plan, ground, terms, asked.own_breaches > 0).judge();
     // From where it bends at vertices only.
     const std::size_t start = std::min(asked.approach.size(), ground.path.size()) - 1;
     std::size_t first = start;
@@ -172,7 +231,7 @@ Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, co
     Itinerary free = ground;
     free.path.erase(free.path.begin(), free.path.begin() + std::ptrdiff_t(first));
     Drive drive = judge_approach(map, plan, ground, first + 1, terms);
-    Drive rest = GroundJudge(map, plan, free, terms).judge();
+    Drive rest = GroundJudge(map, plan, free, terms, asked.own_breaches > 0).judge();
     append(drive.found, std::move(rest.found));
     drive.followed = drive.followed && rest.followed;
     for (const auto& [obstacle, contact] : rest.entries) drive.entries.emplace(obstacle, contact);

@@ -85,12 +85,19 @@ Violations judge_entries(const Map& map, const Plan& plan, const Entries& entrie
 // What is removed: whether it may be, and is as described.
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 
-// What to say of an air agent that breaches more than it may.
+// How many obstacles the agent may breach, and what to say if it breaches more.
+int most_breaches(const Agent& agent);
 std::string beyond_capacity(const Agent& agent);
 
 // That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
 // order.
 Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);
+
+// That a ground agent stands still while it breaches what is in its way, its disc at most `own_reach` cells from it,
+// one after the other. Precondition: its timetable is in order.
+inline constexpr double own_reach = 1;
+Violations judge_own_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& ground,
+                              const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 // `driver` and `flyer`: as the mission has them.
@@ -119,6 +126,9 @@ Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, 
 
 // That agents keep out of zones, and what is removed does not reach into one for vehicles.
 Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan);
+
+// Whether the straight way between two places leads through a zone that is closed to that aircraft.
+bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b);
 
 // What waits for what. Precondition: nothing else is wrong with the plan.
 Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);

@@ -86,7 +86,7 @@ class OrdersJudge {
         for (const Order& order : plan_.orders) judge_order(order);
         if (!found_.empty()) return std::move(found_);  // what follows reads moments
         judge_openings();
-        judge_passing();
+        if (terms_.rules.collisions) judge_passing();
         judge_progress();
         return std::move(found_);
     }
@@ -162,7 +162,7 @@ class OrdersJudge {
             judge_ground(map_, plan_, ground, asked(agent), {terms_.rules, asked(agent).body, terms_.tolerance});
         for (const Breach& breach : plan_.breaches) {
             const auto entry = drive.entries.find(breach.obstacle);
-            if (entry == drive.entries.end()) continue;
+            if (entry == drive.entries.end() || breach.by == ground.id) continue;
             const double by = entry->second.time + slack(terms_, entry->second.time);
             const bool waits = std::ranges::any_of(plan_.orders, [&](const Order& order) {
                 return order.after.agent == agent && order.reason == OrderReason::opening && waits_for(order, breach) &&

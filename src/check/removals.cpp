@@ -39,8 +39,15 @@ Violation violation(Rule rule, const std::string& message, const Breach& breach)
     return {rule, message, "", breach.obstacle, breach.at, breach.cleared_at};
 }
 
+// Whether a ground agent breaches it.
+bool is_from_the_ground(const Plan& plan, const Breach& breach) {
+    return std::any_of(plan.agents.begin(), plan.agents.end(), [&](const Itinerary& agent) {
+        return agent.kind == AgentKind::ground && agent.id == breach.by;
+    });
+}
+
 // That it is what the plan says it is. Precondition: the map has such an obstacle.
-Violations judge_description(const Map& map, const Breach& breach) {
+Violations judge_description(const Map& map, const Plan& plan, const Breach& breach) {
     Violations found;
     const Obstacle& obstacle = map.obstacle(breach.obstacle);
     const std::string who = text(breach.obstacle);
@@ -51,7 +58,7 @@ Violations judge_description(const Map& map, const Breach& breach) {
     };
     differs("'s number of cells is ", obstacle.cells, breach.cells);
     differs("'s id in its source is ", obstacle.source_id, breach.source_id);
-    if (!on_boundary(map, breach.at, breach.obstacle)) {
+    if (!is_from_the_ground(plan, breach) && !on_boundary(map, breach.at, breach.obstacle)) {
         const std::string message = who + " is breached from " + text(breach.at) + ", which is not on its boundary";
         found.push_back(violation(Rule::boundary, message, breach));
     }
@@ -123,10 +130,52 @@ bool stays_there(const Itinerary& agent, Cell at, double from, double to, const 
     return true;
 }
 
+// Where the agent is at a time.
+Point place_at(const Itinerary& agent, double time) {
+    const auto b = first_point_from(agent, time);
+    if (b == agent.path.begin()) return {b->x, b->y};
+    if (b == agent.path.end()) return {agent.path.back().x, agent.path.back().y};
+    const auto a = b - 1;
+    const double share = b->t > a->t ? (time - a->t) / (b->t - a->t) : 1;
+    return {a->x + share * (b->x - a->x), a->y + share * (b->y - a->y)};
+}
+
+// Whether the agent is at one place from one time to another.
+bool stands_there(const Itinerary& agent, double from, double to, const Terms& terms) {
+    const Point place = place_at(agent, from);
+    const double hair = slack(terms, to);
+    const double moved = terms.tolerance + 2 * hair * agent.speed;
+    const auto is_there = [&](Point p) { return std::hypot(p.x - place.x, p.y - place.y) <= moved; };
+    for (auto point = first_point_from(agent, from + hair); point != agent.path.end() && point->t < to - hair;
+         ++point) {
+        if (!is_there({point->x, point->y})) return false;
+    }
+    return is_there(place_at(agent, to));
+}
+
+// How far a point is from the nearest cell of an obstacle, if not farther than that.
+bool is_within(const Map& map, Point from, ObstacleId obstacle, double reach) {
+    const auto first = [&](double at, int size) { return int(std::clamp(std::floor(at - reach), 0.0, size - 1.0)); };
+    const auto last = [&](double at, int size) { return int(std::clamp(std::ceil(at + reach), 0.0, size - 1.0)); };
+    for (int y = first(from.y, map.height()); y <= last(from.y, map.height()); ++y) {
+        for (int x = first(from.x, map.width()); x <= last(from.x, map.width()); ++x) {
+            if (map.obstacle_at({x, y}) != obstacle) continue;
+            const double dx = std::max(std::abs(from.x - x) - 0.5, 0.0);
+            const double dy = std::max(std::abs(from.y - y) - 0.5, 0.0);
+            if (std::hypot(dx, dy) <= reach) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
+int most_breaches(const Agent& agent) {
+    return std::max(agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches, 0);
+}
+
 std::string beyond_capacity(const Agent& agent) {
-    return "the " + agent.id + " agent breaches more than " + std::to_string(agent.breaches) + " obstacles";
+    return "the " + agent.id + " agent breaches more than " + std::to_string(most_breaches(agent)) + " obstacles";
 }
 
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) {
@@ -139,7 +188,7 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
         if (!is_new) found.push_back(violation(Rule::repetition, text(obstacle) + " is removed twice", breach));
         const auto reason = objection(map, obstacle, protect, terms.rules);
         if (reason) found.push_back(violation(Rule::obstacle, *reason, breach));
-        if (names_obstacle(map, obstacle)) append(found, judge_description(map, breach));
+        if (names_obstacle(map, obstacle)) append(found, judge_description(map, plan, breach));
     }
     append(found, judge_amount(map, plan, terms));
     for (const ObstacleId id : terms.rules.force) {
@@ -150,6 +199,35 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
         auto reason = objection(map, next.obstacle, protect, terms.rules);
         if (!reason && seen.contains(next.obstacle)) reason = text(next.obstacle) + " is removed already";
         if (reason) found.push_back({Rule::next, "as the next removal: " + *reason, "", next.obstacle});
+    }
+    return found;
+}
+
+Violations judge_own_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& ground,
+                              const Terms& terms) {
+    Violations found;
+    double free_from = 0;  // the breach before is over
+    for (const Breach& breach : breaches) {
+        if (!names_obstacle(map, breach.obstacle)) continue;
+        if (found.size() > enough_violations) break;
+        const double until = breach.cleared_at;
+        const double from = until - terms.rules.breach_time.of(map.obstacle(breach.obstacle));
+        const auto report = [&](Rule rule, const std::string& what) {
+            const std::string who = "the " + ground.id + " agent ";
+            found.push_back({rule, who + what + text(breach.obstacle), ground.id, breach.obstacle, breach.at, until});
+        };
+        const Point place = place_at(ground, from);
+        const bool states_it = std::abs(place.x - breach.at.x) <= 1 && std::abs(place.y - breach.at.y) <= 1;
+        if (!states_it || !stands_there(ground, from, until, terms)) {
+            report(Rule::breach, "does not stand at " + text(breach.at) + " from " + text(from) + " to " + text(until) +
+                                     " to breach ");
+        } else if (!is_within(map, place, breach.obstacle, terms.body.reach() + own_reach)) {
+            report(Rule::boundary, "stands at " + text(place) + ", which is too far from ");
+        }
+        if (from < free_from - slack(terms, free_from)) {
+            report(Rule::order, "is still at another one, until " + text(free_from) + ", when it begins to breach ");
+        }
+        free_from = until;
     }
     return found;
 }

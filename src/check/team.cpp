@@ -43,10 +43,11 @@ class TeamJudge {
         return false;
     }
 
-    // Each obstacle is removed by an aircraft of the mission, and none removes more than it may.
+    // Each obstacle is removed by an agent of the mission that may, and none removes more than it may.
     void judge_sharing() {
-        const auto flies = [](const auto& agent) { return agent.second->kind == AgentKind::air; };
-        if (!plan_.breaches.empty() && std::none_of(agents_.begin(), agents_.end(), flies)) {
+        const auto may = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
+        const auto one_may = [&](const auto& agent) { return may(*agent.second); };
+        if (!plan_.breaches.empty() && std::none_of(agents_.begin(), agents_.end(), one_may)) {
             report(Rule::removals, "obstacles are removed, and there is no air agent");
         }
         std::map<std::string, int> count;
@@ -57,9 +58,9 @@ class TeamJudge {
                 found_.push_back({rule, message, breach.by, breach.obstacle, breach.at, breach.cleared_at});
             };
             const auto agent = agents_.find(breach.by);
-            if (agent == agents_.end() || agent->second->kind != AgentKind::air) {
+            if (agent == agents_.end() || !may(*agent->second)) {
                 fault(Rule::breach, what + " is breached by '" + breach.by + "', which is no air agent of the mission");
-            } else if (++count[breach.by] == std::max(agent->second->breaches, 0) + 1LL) {
+            } else if (++count[breach.by] == most_breaches(*agent->second) + 1LL) {
                 fault(Rule::capacity, beyond_capacity(*agent->second));
             }
             if (names_obstacle(map_, breach.obstacle)) {
@@ -123,6 +124,7 @@ class TeamJudge {
                 append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
                 continue;
             }
+            append(found_, judge_own_breaches(map_, breaches_by(agent.id), path, terms));
             Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
             followed = followed && drive.followed;
@@ -133,7 +135,7 @@ class TeamJudge {
             discs.push_back({&path, agent.body.reach()});
         }
         if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
-        append(found_, judge_separation(discs, terms_));
+        if (terms_.rules.collisions) append(found_, judge_separation(discs, terms_));
         if (!broken) judge_figures();
     }
 
@@ -163,23 +165,30 @@ class TeamJudge {
             const Agent& agent = *agents_.at(path.id);
             const double end = path.path.back().t;
             makespan = std::max(makespan, end);
-            flowtime += end;
+            flowtime += agent.weight * end;
             if (agent.kind == AgentKind::ground) ground_makespan = std::max(ground_makespan, end);
             double driven = 0;
             for (std::size_t k = 1; k < path.path.size(); ++k) {
                 driven += std::hypot(path.path[k].x - path.path[k - 1].x, path.path[k].y - path.path[k - 1].y);
             }
-            expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
+            if (path.reached) {
+                expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
+            } else if (plan_.after.routes[i].length) {
+                report(Rule::length, "the " + agent.id + " agent is not reached, and drives all the same");
+            }
             const Point start = agent.from.value_or(Point(agent.start));
             const double straight = std::hypot(agent.goal.x - start.x, agent.goal.y - start.y);
-            all_alone = all_alone && plan_.before.routes[i].length;
+            const bool may_stay = agent.kind == AgentKind::ground && terms_.rules.unreached;
+            all_alone = all_alone && (plan_.before.routes[i].length || may_stay);
             const double length = plan_.before.routes[i].length.value_or(straight);
             if (length < straight - slack(terms_, straight)) {
                 report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
             }
-            const double arrival = agent.ready_at + length / agent.speed;
+            double arrival = agent.ready_at + length / agent.speed;
+            if (may_stay) arrival = std::min(arrival, *terms_.rules.unreached);
+            if (may_stay && !plan_.before.routes[i].length) arrival = *terms_.rules.unreached;
             alone = std::max(alone, arrival);
-            alone_sum += arrival;
+            alone_sum += agent.weight * arrival;
         }
         expect(Rule::makespan, "the makespan", plan_.after.makespan, makespan);
         expect(Rule::flowtime, "the flowtime", plan_.after.flowtime, flowtime);

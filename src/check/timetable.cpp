@@ -16,6 +16,20 @@ Violations judge_form(const Itinerary& agent) {
     return {};
 }
 
+// Whether it may be left, and stands at its start until it counts as unreached.
+Violations judge_unreached(const Itinerary& agent, Point start, const Terms& terms) {
+    const std::string who = "the " + agent.id + " agent ";
+    const Waypoint& last = agent.path.back();
+    const auto fault = [&](const std::string& what) -> Violations {
+        return {{Rule::goal, who + what, agent.id, {}, place(last), last.t}};
+    };
+    if (!terms.rules.unreached || agent.kind == AgentKind::air) return fault("is not reached, and has to be");
+    if (place(last) != start) return fault("is not reached, and ends elsewhere than at its start");
+    if (agree(terms, last.t, *terms.rules.unreached)) return {};
+    return fault("is not reached, and stands there until " + text(last.t) + " instead of " +
+                 text(*terms.rules.unreached));
+}
+
 Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     const Waypoint& first = agent.path.front();
@@ -36,8 +50,18 @@ Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& t
     if (!is_under_way && !agree(terms, first.t, 0)) {
         found.push_back({Rule::start, who + "does not start at time 0", agent.id, {}, place(first), first.t});
     }
+    if (!agent.reached) {
+        append(found, judge_unreached(agent, start, terms));
+        return found;
+    }
     if (place(last) != Point(agent.goal)) {
         const std::string message = who + "ends at " + text(place(last)) + " instead of " + text(agent.goal);
+        found.push_back({Rule::goal, message, agent.id, {}, place(last), last.t});
+    }
+    const double latest = terms.rules.unreached.value_or(last.t);
+    if (agent.kind == AgentKind::ground && last.t > latest + slack(terms, latest)) {
+        const std::string message =
+            who + "is at its goal at " + text(last.t) + ", and counts as not reached from " + text(latest) + " on";
         found.push_back({Rule::goal, message, agent.id, {}, place(last), last.t});
     }
     return found;

@@ -127,10 +127,11 @@ class ZoneJudge {
         });
     }
 
-    void judge_path(const Itinerary& agent, double radius) {
+    // From that point of its path on.
+    void judge_path(const Itinerary& agent, double radius, std::size_t first) {
         const bool flies = agent.kind == AgentKind::air;
-        for (std::size_t i = 0; i < agent.path.size(); ++i) {
-            const Waypoint& from = agent.path[i > 0 ? i - 1 : 0];
+        for (std::size_t i = first; i < agent.path.size(); ++i) {
+            const Waypoint& from = agent.path[i > first ? i - 1 : i];
             const Waypoint& to = agent.path[i];
             const Point a(from.x, from.y);
             const Point b(to.x, to.y);
@@ -181,7 +182,29 @@ class ZoneJudge {
     Violations found_;
 };
 
+bool holds_for(const Zone& zone, const std::string& id, bool flies) {
+    return flies == (zone.kind == ZoneKind::no_fly) &&
+           (zone.agents.empty() || std::find(zone.agents.begin(), zone.agents.end(), id) != zone.agents.end());
+}
+
+// The point of its path from which on an agent has to keep out of zones: the first, but for an aircraft that was under
+// way and found in a zone, which may fly out of it straight.
+std::size_t first_judged(const Mission& mission, const Agent& agent, const Itinerary& planned) {
+    if (agent.kind == AgentKind::ground || agent.approach.empty() || planned.path.empty()) return 0;
+    const auto place = [&](std::size_t i) { return Point(planned.path[i].x, planned.path[i].y); };
+    if (!flies_in_zone(mission, agent.id, place(0), place(0))) return 0;
+    std::size_t first = 0;
+    while (first + 1 < planned.path.size() && place(first) == place(0)) ++first;
+    return first;
+}
+
 }  // namespace
+
+bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b) {
+    return std::any_of(mission.rules.zones.begin(), mission.rules.zones.end(), [&](const Zone& zone) {
+        return holds_for(zone, aircraft, true) && first_inside(zone, a, b).has_value();
+    });
+}
 
 Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan) {
     Violations found;
@@ -191,12 +214,11 @@ Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan)
         bool holds = false;
         for (const Agent& agent : mission.agents) {
             const bool flies = agent.kind == AgentKind::air;
-            const auto is_it = [&](const std::string& id) { return id == agent.id; };
-            if (flies != (zone.kind == ZoneKind::no_fly)) continue;
-            if (!zone.agents.empty() && std::none_of(zone.agents.begin(), zone.agents.end(), is_it)) continue;
+            if (!holds_for(zone, agent.id, flies)) continue;
             holds = true;
-            for (const Itinerary& path : plan.agents) {
-                if (is_it(path.id)) judge.judge_path(path, flies ? 0 : agent.body.reach());
+            for (const Itinerary& planned : plan.agents) {
+                if (planned.id != agent.id) continue;
+                judge.judge_path(planned, flies ? 0 : agent.body.reach(), first_judged(mission, agent, planned));
             }
         }
         if (holds && zone.kind == ZoneKind::keep_out) {

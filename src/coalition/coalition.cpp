@@ -21,8 +21,9 @@ class Planning {
     Planning(const Map& map, const Mission& mission, const team::Interrupts& interrupts, CrossingSearcher& crossing,
              Searcher& theta)
         : interrupts_(interrupts),
-          choice_{interrupts.deadline.share(tuning::share_of_choice), interrupts.stop, interrupts.expansions,
-                  interrupts.gap, interrupts.threads},
+          choice_{interrupts.deadline.share(mission.rules.collisions ? tuning::share_of_choice
+                                                                     : tuning::share_of_choice_without_collisions),
+                  interrupts.stop, interrupts.expansions, interrupts.gap, interrupts.threads},
           problem_(map, mission, choice_),
           crossing_(crossing),
           theta_(theta),
@@ -76,6 +77,7 @@ class Planning {
         const auto drive = [&](std::size_t i, CrossingSearcher& crossing, Searcher& theta) {
             vehicles[i].agent = *problem_.vehicles()[i];
             ends[i] = team::go_alone(map, openings, interrupts_, crossing, theta, vehicles[i]);
+            team::count_unreached(problem_.rules(), vehicles[i]);
         };
         drive(0, crossing_, theta_);  // first, so that all workers share the maps that it grows
         workers_.for_each(vehicles.size() - 1,

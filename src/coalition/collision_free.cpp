@@ -52,8 +52,8 @@ class DraftPlanner {
 
     double objective(const std::vector<team::Path>& paths, const std::vector<team::Path>& flights) const {
         Finish finish;
-        for (const team::Path& path : paths) finish.add(AgentKind::ground, path.back().t);
-        for (const team::Path& path : flights) finish.add(AgentKind::air, path.back().t);
+        for (std::size_t v = 0; v < paths.size(); ++v) finish.add(closed_[v].agent, paths[v].back().t);
+        for (std::size_t a = 0; a < flights.size(); ++a) finish.add(*problem_.aircraft()[a], flights[a].back().t);
         return rank(problem_.rules().objective, finish).first;
     }
 
@@ -83,7 +83,9 @@ class DraftPlanner {
         if (interrupts_.gap == 0) return 0;
         double flown = 0;
         if (problem_.sums()) {
-            for (const team::Path& path : flights()) flown += path.back().t;
+            const std::vector<team::Path> paths = flights();
+            for (std::size_t a = 0; a < paths.size(); ++a)
+                flown += weighted(problem_.aircraft()[a]->weight, paths[a].back().t);
         }
         return bound_ * (1 + interrupts_.gap) - flown;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "coalition/tuning.hpp"
 
@@ -31,6 +32,8 @@ Cheapest cheapest(const Pool& pool, double weight, const std::vector<double>& pr
 Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::span<const team::Vehicle> closed)
     : problem_(problem),
       shape_(shape),
+      heeds_times_(can_heed_times() &&
+                   (problem.rules().collisions || problem.vehicles().size() <= tuning::most_vehicles_in_time_at_first)),
       pools_(problem.vehicles().size()),
       proofs_(pools_.size()),
       memories_(pools_.size()),
@@ -42,6 +45,10 @@ Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::spa
         if (problem.sums()) begin(i, worker);
     });
     if (!problem.sums()) begin_latest(workers.own());
+}
+
+bool Columns::heed_times() {
+    return can_heed_times() && !std::exchange(heeds_times_, true);
 }
 
 // Where the last arrival counts, only those matter that may be the last.
@@ -192,7 +199,7 @@ double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opene
 void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, double length) {
     Pool& pool = pools_[vehicle];
     Column column;
-    column.arrival = arrival_of(*problem_.vehicles()[vehicle], opened, length);
+    column.arrival = std::min(arrival_of(*problem_.vehicles()[vehicle], opened, length), problem_.unreached());
     for (const ObstacleId id : opened) {
         const auto known = std::ranges::find(pool.obstacles, id);
         column.opened.push_back(std::uint32_t(known - pool.obstacles.begin()));

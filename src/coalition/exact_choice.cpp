@@ -28,9 +28,9 @@ void ExactChoice::improve_prices() {
         const double gain = relaxation_.bound() - bound_;
         const double missing = reached() - bound_;
         bound_ = relaxation_.bound();
-        if (!found) return;
-        evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
-        if (round > 1 && gain <= tuning::least_gain_of_round * missing) return;
+        if (found) evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
+        const bool goes_on = found && (round <= 1 || gain > tuning::least_gain_of_round * missing);
+        if (!goes_on && !columns_.heed_times()) return;
     }
 }
 

@@ -60,6 +60,10 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
         found.closed = agent.ready_at + closed.best.cost / agent.speed;
         options.length_limit = options.expected = closed.best.cost;
     }
+    if (problem_.unreached() < found.closed) {
+        found.closed = problem_.unreached();
+        options.length_limit = options.expected = (found.closed - agent.ready_at) * agent.speed;
+    }
     options.crossings = 1;
     options.limits.expansions = std::min(options.limits.expansions, tuning::most_greedy_expansions);
     const CrossingResult all =
@@ -80,16 +84,16 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
 team::Cost Greedy::cost_with(const Set& more) {
     team::Cost cost;
     Finish finish;
-    for (const Arrivals& arrivals : arrivals_) {
-        double arrival = arrivals.closed;
+    for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+        double arrival = arrivals_[i].closed;
         for (const ObstacleId id : more) {
-            const auto with = arrivals.with.find(id);
-            if (with != arrivals.with.end()) arrival = std::min(arrival, with->second);
+            const auto with = arrivals_[i].with.find(id);
+            if (with != arrivals_[i].with.end()) arrival = std::min(arrival, with->second);
         }
         if (arrival == infinity) {
             ++cost.missing;
         } else {
-            finish.add(AgentKind::ground, arrival);
+            finish.add(AgentKind::ground, arrival, problem_.weight(i));
         }
     }
     const Returns& home = openings_.of(united(united(problem_.forced(), taken_), more)).home;

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "coalition/tuning.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -39,14 +40,15 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
     Node root;
     for (const std::size_t i : others) {
         root.cost += proof.searches[i].least;
-        root.sum += columns.of(i).least;
+        root.sum += weighted(problem.weight(i), columns.of(i).least);
     }
     for (const std::size_t i : order_) add_candidates(i);
     least_cost_after_.assign(order_.size() + 1, 0);
     least_sum_after_.assign(order_.size() + 1, 0);
     for (std::size_t k = order_.size(); k-- > 0;) {
         least_cost_after_[k] = least_cost_after_[k + 1] + proof.searches[order_[k]].least;
-        least_sum_after_[k] = least_sum_after_[k + 1] + columns.of(order_[k]).least;
+        least_sum_after_[k] =
+            least_sum_after_[k + 1] + weighted(problem.weight(order_[k]), columns.of(order_[k]).least);
     }
     if (const auto bound = bound_of(root)) {
         root.bound = *bound;
@@ -85,8 +87,8 @@ double Joint::bound_by_prices(const Node& node, double flights) const {
     double detours = 0;
     if (problem_.sums()) {
         detours = flights;
-        for (const Agent* agent : problem_.aircraft()) detours -= Problem::straight_flight(*agent);
-        for (const ObstacleId id : united(problem_.forced(), node.opened)) detours -= problem_.breach_time(id);
+        for (const Agent* agent : problem_.aircraft()) detours -= agent->weight * Problem::straight_flight(*agent);
+        for (const ObstacleId id : united(problem_.forced(), node.opened)) detours -= problem_.weighted_breach_time(id);
     }
     const std::size_t more = std::size_t(problem_.spare_removals()) - node.opened.size();
     double paid = proof_.offers.best(more, detours, node.opened);
@@ -99,7 +101,7 @@ void Joint::expand(const Node& node) {
         Node next{0,
                   node.depth + 1,
                   node.cost + candidate.cost,
-                  node.sum + candidate.column->arrival,
+                  node.sum + weighted(problem_.weight(order_[node.depth]), candidate.column->arrival),
                   std::max(node.last, candidate.column->arrival),
                   united(node.opened, candidate.opened)};
         if (!problem_.allows(next.opened)) continue;

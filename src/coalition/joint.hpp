@@ -39,7 +39,7 @@ class Joint {
         double bound = 0;
         std::size_t depth = 0;  // vehicles that have one
         double cost = 0;        // of these
-        double sum = 0;         // of arrivals
+        double sum = 0;         // of weighted arrivals
         double last = 0;
         Set opened;
     };
@@ -57,7 +57,7 @@ class Joint {
     std::vector<std::size_t> order_;                  // vehicles with candidates
     std::vector<std::vector<Candidate>> candidates_;  // in that order; the cheapest first
     std::vector<double> least_cost_after_;            // by depth: of the vehicles that follow
-    std::vector<double> least_sum_after_;             // the same of arrivals
+    std::vector<double> least_sum_after_;             // the same of weighted arrivals
     double least_last_ = 0;                           // of any vehicle
     double bound_of_unknown_ = infinity;              // bound of plans with an unknown column
     std::vector<Node> open_;                          // heap

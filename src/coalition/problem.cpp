@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "model/objective.hpp"
+
 namespace waybreaker::coalition {
 
 Set united(const Set& a, const Set& b) {
@@ -50,6 +52,7 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
             capacity += agent.breaches;
         }
     }
+    flight_weight_ = least_weight_of(aircraft_);
     const std::size_t must = forced_.size();
     for (const TimedOpening& opening : mission.rules.opened) opened_.push_back(opening.obstacle);
     std::ranges::sort(opened_);
@@ -70,7 +73,7 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
                 agent->ready_at + std::max(gap(obstacle.bounds, agent->begin()) - 1.5, 0.0) / agent->speed;
             const double home = std::max(gap(obstacle.bounds, agent->goal) - 1.5, 0.0) / agent->speed;
             opening = std::min(opening, there + breach_time(obstacle.id));
-            detour = std::min(detour, std::max(there + home - straight_flight(*agent), 0.0));
+            detour = std::min(detour, agent->weight * std::max(there + home - straight_flight(*agent), 0.0));
         }
         if (mission.rules.timing == Timing::ignore) opening = 0;
     }
@@ -101,7 +104,7 @@ Problem::Earliest Problem::find_earliest(ObstacleId id) const {
             earliest.opening = std::min(earliest.opening, there);
             const double home = there + distance(at, agent->goal) / agent->speed;
             earliest.home = std::min(earliest.home, home);
-            earliest.detour = std::min(earliest.detour, home - stay - straight_flight(*agent));
+            earliest.detour = std::min(earliest.detour, agent->weight * (home - stay - straight_flight(*agent)));
         }
     }
     earliest.detour = std::max(earliest.detour, 0.0);

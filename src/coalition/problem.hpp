@@ -54,6 +54,11 @@ class Problem {
     double spare_budget() const { return spare_budget_; }
     // Whether all of these may be removed beside those that must be.
     bool allows(const Set& set) const;
+    // What a vehicle counts as that is not at its goal by then; infinity if each must be.
+    double unreached() const { return rules().unreached.value_or(infinity); }
+    double weight(std::size_t vehicle) const { return vehicles_[vehicle]->weight; }
+    // What an aircraft's time counts for at least.
+    double flight_weight() const { return flight_weight_; }
     bool sums() const { return rules().objective == Objective::flowtime; }
     // The objective where all arrivals add up to that, and the last ones are these.
     double objective(double sum, double last, double last_on_ground) const {
@@ -68,12 +73,15 @@ class Problem {
     double earliest_opening(ObstacleId id) const { return earliest(id).opening; }
     // The same, a little less and faster.
     double least_opening(ObstacleId id) const { return least_openings_[id.value]; }
-    // So much longer, at least, an aircraft flies that passes by it; no more than least_detour, and faster.
+    // So much longer, at least, an aircraft flies that passes by it, times its weight; no more than least_detour, and
+    // faster.
     double short_detour(ObstacleId id) const { return short_detours_[id.value]; }
     // No aircraft that breaches it is at its goal earlier.
     double earliest_return(ObstacleId id) const { return earliest(id).home; }
-    // So much longer, at least, an aircraft flies that passes by it.
+    // So much longer, at least, an aircraft flies that passes by it, times its weight.
     double least_detour(ObstacleId id) const { return earliest(id).detour; }
+    // What a breach adds to the sum of arrivals, at least.
+    double weighted_breach_time(ObstacleId id) const { return flight_weight_ * breach_time(id); }
     // When an aircraft is at its goal if it breaches nothing.
     static double straight_flight(const Agent& aircraft) {
         return aircraft.ready_at + distance(aircraft.begin(), aircraft.goal) / aircraft.speed;
@@ -93,6 +101,7 @@ class Problem {
     const team::Interrupts& interrupts_;
     std::vector<const Agent*> vehicles_;
     std::vector<const Agent*> aircraft_;
+    double flight_weight_ = 0;
     Set forced_;
     Set opened_;
     int spare_removals_ = 0;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "coalition/tuning.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -38,7 +39,7 @@ double squared_length(const std::vector<double>& weights, const std::vector<std:
 Relaxation::Relaxation(const Problem& problem, Columns& columns, Workers& workers)
     : problem_(problem), columns_(columns), workers_(workers) {
     const std::size_t vehicles = columns.size();
-    best_.weights.assign(vehicles, problem.sums() ? 1 : 0);
+    for (std::size_t i = 0; i < vehicles; ++i) best_.weights.push_back(problem.sums() ? problem.weight(i) : 0);
     best_.prices.resize(vehicles);
     centre_ = best_;
     number_obstacles();
@@ -46,7 +47,7 @@ Relaxation::Relaxation(const Problem& problem, Columns& columns, Workers& worker
     double last = 0;
     std::size_t latest = 0;
     for (std::size_t i = 0; i < vehicles; ++i) {
-        sum += columns.of(i).least;
+        sum += weighted(problem.weight(i), columns.of(i).least);
         if (columns.of(i).least > last) latest = i;
         last = std::max(last, columns.of(i).least);
     }
@@ -59,11 +60,11 @@ double Relaxation::fixed() const {
     double sum = 0;
     double last = 0;
     for (const Agent* agent : problem_.aircraft()) {
-        sum += Problem::straight_flight(*agent);
+        sum += agent->weight * Problem::straight_flight(*agent);
         last = std::max(last, Problem::straight_flight(*agent));
     }
     for (const ObstacleId id : problem_.forced()) {
-        sum += problem_.breach_time(id);
+        sum += problem_.weighted_breach_time(id);
         if (problem_.rules().timing == Timing::enforce) last = std::max(last, problem_.earliest_return(id));
     }
     return problem_.objective(sum, last, 0);
@@ -89,7 +90,7 @@ void Relaxation::number_obstacles() {
 Offers Relaxation::offers(const Prices& at) const {
     std::vector<Offer> offers;
     for (std::size_t j = 0; j < numbered_.size(); ++j) {
-        const double breach = problem_.sums() ? problem_.breach_time(numbered_[j]) : 0;
+        const double breach = problem_.sums() ? problem_.weighted_breach_time(numbered_[j]) : 0;
         offers.push_back({numbered_[j], -breach, detours_[j]});
     }
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -117,7 +118,7 @@ Relaxation::Answer Relaxation::answer(const Prices& at) const {
     for (const ObstacleId id : chosen) answer.chosen[number_of_.at(id)] = 1;
     answer.taken.resize(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        if (at.weights[i] < tuning::least_weight_of_vehicle) continue;
+        if (is_left_out(at.weights[i])) continue;
         const Cheapest one = cheapest(columns_.of(i), at.weights[i], at.prices[i]);
         answer.value += one.cost;
         answer.taken[i] = one.column;
@@ -137,7 +138,7 @@ Relaxation::Prices Relaxation::direction(const Prices& at, const Answer& answer,
         const Column& taken = columns_.of(i).columns[answer.taken[i]];
         prices.assign(at.prices[i].size(), 0);
         for (std::size_t k = 0; k < prices.size(); ++k) prices[k] -= answer.chosen[numbers_[i][k]];
-        if (at.weights[i] >= tuning::least_weight_of_vehicle) {
+        if (!is_left_out(at.weights[i])) {
             for (const std::uint32_t k : taken.opened) prices[k] += 1;
         }
         for (std::size_t k = 0; k < prices.size(); ++k) {
@@ -222,7 +223,7 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
         const auto number = number_of_.find(obstacle.id);
         double detour = number == number_of_.end() ? problem_.short_detour(obstacle.id) : detours_[number->second];
         if (!problem_.sums()) detour = 0;
-        if (problem_.sums()) paid[id] -= problem_.breach_time(obstacle.id);
+        if (problem_.sums()) paid[id] -= problem_.weighted_breach_time(obstacle.id);
         if (unpriced[id] > 0 && std::isinf(problem_.spare_budget())) {
             const double more = std::max(free.of(detour) - paid[id], 0.0);
             shares[id] = more / unpriced[id];
@@ -239,7 +240,7 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
 // Searches at certain prices: for the best columns, or with a margin for all that cost up to so much more. Whether that
 // has raised the bound or found new columns.
 bool Relaxation::prove(Prices at, std::optional<double> margin) {
-    for (double& weight : at.weights) weight = weight < tuning::least_weight_of_vehicle ? 0 : weight;
+    for (double& weight : at.weights) weight = is_left_out(weight) ? 0 : weight;
     const std::vector<double> shares = offer_all(at);
     std::vector<ObstacleId> chosen;
     proof_.searches.resize(columns_.size());

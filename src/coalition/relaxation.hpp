@@ -1,7 +1,7 @@
 // Relaxation: what no choice of obstacles can beat. One set serves all vehicles; if each may have a set of its own, and
 // pays for what it has opened, each is solved alone, and the prices say how much that leaves out.
 //
-// For any weights w of the vehicles (1 each for a sum; together 1 for a maximum) and any prices p >= 0, and for the
+// For any weights w of the vehicles (their own for a sum; together 1 for a maximum) and any prices p >= 0, and for the
 // set X of a plan, with S_i the part of X that vehicle i drives through, and f(X) what the aircraft add to the sum:
 //
 //     sum w_i arrival_i + f(X)  >=  sum (w_i arrival_i + p_i(S_i)) + f(X) - p(X)
@@ -17,6 +17,7 @@
 
 #include "coalition/columns.hpp"
 #include "coalition/offers.hpp"
+#include "coalition/tuning.hpp"
 
 namespace waybreaker::coalition {
 
@@ -63,6 +64,10 @@ class Relaxation {
         std::vector<std::size_t> taken;  // by vehicle: its column
     };
 
+    // Of a maximum, a vehicle that hardly counts is; of a sum, one that does not count.
+    bool is_left_out(double weight) const {
+        return problem_.sums() ? weight == 0 : weight < tuning::least_weight_of_vehicle;
+    }
     void number_obstacles();
     Answer answer(const Prices& at) const;
     Prices direction(const Prices& at, const Answer& answer, double scale) const;

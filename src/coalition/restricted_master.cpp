@@ -55,15 +55,15 @@ double RestrictedMaster::arrival(std::size_t vehicle) const {
 double RestrictedMaster::objective() const {
     double sum = 0;
     double last = 0;
-    for (const double arrival : arrivals_) {
-        sum += arrival;
-        last = std::max(last, arrival);
+    for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+        sum += problem_.weight(i) * arrivals_[i];
+        last = std::max(last, arrivals_[i]);
     }
     if (!problem_.sums()) return last + 1e-6 * sum;  // the others count where the last one has no gain
     double detour = 0;
     for (std::size_t j = 0; j < open_.size(); ++j) {
         if (!is_open(j)) continue;
-        sum += problem_.breach_time(numbered_[j]);
+        sum += problem_.weighted_breach_time(numbered_[j]);
         detour = std::max(detour, problem_.least_detour(numbered_[j]));
     }
     return sum + detour;

@@ -84,7 +84,7 @@ double SortiePlanner::could_cost(const Draft& draft) const {
         const Agent& agent = *problem_.vehicles()[i];
         double least = infinity;
         for (const Way* way : menus_[i]) least = std::min(least, arrival(agent, *way, {}));
-        sum -= arrival(agent, draft.taken[i], draft.openings) - least;
+        sum -= agent.weight * (arrival(agent, draft.taken[i], draft.openings) - least);
     }
     return sum;
 }
@@ -120,7 +120,12 @@ void SortiePlanner::search_ways(const Set& set) {
 void SortiePlanner::prepare(const Set& set) {
     search_ways(set);
     const Agent& scout = *problem_.aircraft().front();  // all may fly in the same airspace
-    targets_ = targets_of(problem_.map(), set, scout.airspace, scout.begin());
+    targets_.clear();
+    for (const ObstacleId& id : set) {
+        // What opens by itself may be out of reach.
+        const Airspace air = problem_.given_opening(id) ? Airspace() : scout.airspace;
+        targets_.push_back(targets_of(problem_.map(), std::span(&id, 1), air, scout.begin()).front());
+    }
     std::vector<double> stays;
     for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
     precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));
@@ -147,7 +152,7 @@ void SortiePlanner::prepare(const Set& set) {
                 drive.passages.push_back({std::size_t(target), agent.ready_at + gate.after});
             }
         }
-        precedence_.add_vehicle(std::move(drives));
+        precedence_.add_vehicle(std::move(drives), agent.weight);
     }
 }
 

@@ -13,6 +13,8 @@ namespace waybreaker::coalition::tuning {
 
 // Share of the time that is left, for the choice of sets; the rest is for paths past each other.
 inline constexpr double share_of_choice = 0.6;
+// The same where vehicles do not collide: then there is hardly anything else to do.
+inline constexpr double share_of_choice_without_collisions = 0.95;
 // Sets that vehicles are planned past each other for, beside "remove nothing", where the choice is exact: the next one
 // may still be better, for its value leaves out collisions.
 inline constexpr std::size_t most_collision_free = 4;
@@ -55,6 +57,8 @@ inline constexpr std::uint64_t most_pricing_expansions = 6'000;
 // times has proven.
 inline constexpr std::uint64_t most_first_expansions_in_time = 5'000;
 inline constexpr std::uint64_t most_pricing_expansions_in_time = 1'500;
+// Vehicles that never collide: of more, searches heed when obstacles open only when prices gain no more without.
+inline constexpr std::size_t most_vehicles_in_time_at_first = 10;
 // Share of the best column's cost: no enumeration goes farther.
 inline constexpr double most_margin = 0.03;
 // For the vehicles' own bodies the best sets of up to so many obstacles are found, and the best of as many as may be.

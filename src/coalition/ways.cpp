@@ -1,6 +1,7 @@
 #include "coalition/ways.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -58,11 +59,18 @@ const Ways::Menu* Ways::larger_menu(std::size_t vehicle, const Set& part) const 
     return nullptr;
 }
 
+// Of the way past all obstacles, in cells; or of what gets there before it counts as unreached.
+double Ways::longest(std::size_t vehicle) const {
+    const team::Vehicle& closed = closed_[vehicle];
+    if (closed.way.empty() && std::isinf(problem_.unreached())) return infinity;
+    return (closed.alone - closed.agent.ready_at) * closed.agent.speed;
+}
+
 // Those that a way can cross that is no longer than the one past all of them.
 Set Ways::near(std::size_t vehicle, const Set& set) const {
     const Agent& agent = closed_[vehicle].agent;
-    if (closed_[vehicle].way.empty()) return set;
-    const double length = (closed_[vehicle].alone - agent.ready_at) * agent.speed;
+    const double length = longest(vehicle);
+    if (std::isinf(length)) return set;
     const double reach = agent.body.reach() + 1;
     Set part;
     for (const ObstacleId id : set) {
@@ -94,6 +102,7 @@ Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<cons
 Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Worker& worker) {
     const team::Vehicle& closed = closed_[vehicle];
     Menu menu;
+    if (std::isfinite(problem_.unreached())) menu.ways.push_back(stay(vehicle));
     if (!closed.way.empty()) menu.ways.push_back(closed_way(vehicle));
     if (set.empty() || problem_.interrupts().due()) {
         menu.complete = set.empty();
@@ -127,8 +136,8 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     options.only = set;
     options.limits = problem_.interrupts().limits();
     options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions);
-    if (!closed.way.empty()) {
-        options.length_limit = (closed.alone - closed.agent.ready_at) * closed.agent.speed;
+    if (const double length = longest(vehicle); std::isfinite(length)) {
+        options.length_limit = length;
         options.expected = options.length_limit;  // it is all looked at
     }
     return options;
@@ -188,6 +197,15 @@ std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed
     effort_[vehicle] += tuning::effort_of_expansion * all.expanded;
     menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < tuning::most_paths;
     return sets;
+}
+
+// At the start, until it counts as unreached.
+Way Ways::stay(std::size_t vehicle) const {
+    const Agent& agent = closed_[vehicle].agent;
+    Way way;
+    way.path = {agent.start};
+    way.drive = problem_.unreached() - agent.ready_at;
+    return way;
 }
 
 Way Ways::closed_way(std::size_t vehicle) const {

@@ -57,6 +57,7 @@ class Ways {
         std::vector<Way> ways;
         bool complete = true;  // no limit has ended the search
     };
+    double longest(std::size_t vehicle) const;
     Set near(std::size_t vehicle, const Set& set) const;
     const Menu* larger_menu(std::size_t vehicle, const Set& part) const;
     Menu search(std::size_t vehicle, const Set& set, Worker& worker);
@@ -69,6 +70,7 @@ class Ways {
                                     double arrive_before, Worker& worker);
     Way punctual_way(const OpenedMap& opened, std::size_t vehicle, const Way& way, const Set& part,
                      const Openings& openings);
+    Way stay(std::size_t vehicle) const;
     Way closed_way(std::size_t vehicle) const;
     Way way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const;
     std::vector<Point> shorter(const Agent& agent, std::vector<Point> path, std::span<const ObstacleId> crossed) const;

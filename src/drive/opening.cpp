@@ -44,10 +44,13 @@ Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<
     return opening_of(std::move(removed), found, watch.seconds());
 }
 
-Opening open_by_crossing(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed) {
+// `expected`: about how long the square's path is, cells; 0 if nobody knows.
+Opening open_by_crossing(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
+                         double expected = 0) {
     const Stopwatch watch;
-    const CrossingResult found =
-        searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, open_search(trip, removed));
+    CrossingOptions options = open_search(trip, removed);
+    options.expected = expected;
+    const CrossingResult found = searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
     return opening_of(trip, std::move(removed), found, watch.seconds());
 }
 
@@ -156,8 +159,9 @@ Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleI
              double seconds, double shorter_than) {
     const Body& body = trip.driver.body;
     if (trip.by_crossing() && body.is_point()) return opening_of(trip, std::move(removed), found, seconds);
-    Opening opening = open(trip, searchers, removed, shorter_than);
-    if (!opening.limited || !trip.by_crossing() || !square_stands_for(body)) return opening;
+    if (!trip.by_crossing() || !square_stands_for(body)) return open(trip, searchers, std::move(removed), shorter_than);
+    Opening opening = open_by_crossing(trip, searchers, removed, found.best.length);
+    if (!opening.limited) return opening;
     return shorter(std::move(opening), opening_of(trip, std::move(removed), found, seconds));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "waybreaker/airspace.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::exports {
@@ -19,6 +20,26 @@ void require_place(const PlacedPlan& placed, std::string_view format) {
 std::string obstacle_name(const PlacedPlan& placed, ObstacleId obstacle) {
     const std::string_view name = placed.map.annotations.name_of(obstacle);
     return name.empty() ? fmt::format("obstacle {}", obstacle.value) : std::string(name);
+}
+
+bool holds_for(const Zone& zone, const Itinerary& agent) {
+    return (zone.kind == ZoneKind::no_fly) == (agent.kind == AgentKind::air) &&
+           (zone.agents.empty() || std::ranges::find(zone.agents, agent.id) != zone.agents.end());
+}
+
+void require_no_hole(const PlacedPlan& placed, const Itinerary& agent, std::string_view format) {
+    if (agent.path.empty()) return;
+    const Map& map = placed.map.map;
+    for (std::size_t i = 0; i < placed.zones.size(); ++i) {
+        const Zone& zone = placed.zones[i];
+        if (zone.polygon.size() == 1 || !holds_for(zone, agent)) continue;
+        const Zone filled{.polygon = {zone.polygon.front()}};
+        if (Airspace(std::span(&filled, 1), map.width(), map.height()).allows({agent.path[0].x, agent.path[0].y}))
+            continue;
+        throw InputError(
+            fmt::format("{}: agent '{}' is in a hole of {}, and areas have no holes there; leave the hole out", format,
+                        agent.id, name_of(zone, i + 1)));
+    }
 }
 
 std::string breached_by(const Plan& plan, const Breach& breach) {

@@ -1,7 +1,9 @@
 #include "exports/plan_kml.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -104,6 +106,24 @@ void append_track(pugi::xml_node folder, const PlacedPlan& placed, const Itinera
     }
 }
 
+// A folder for them, where there are any.
+void append_zones(pugi::xml_node document, const PlacedPlan& placed) {
+    if (placed.zones.empty()) return;
+    pugi::xml_node folder = append_folder(document, "zones");
+    for (std::size_t i = 0; i < placed.zones.size(); ++i) {
+        const Zone& zone = placed.zones[i];
+        site::Polygon closed = zone.polygon;
+        for (site::Ring& ring : closed) ring.push_back(ring.front());
+        const std::string kind(to_string(zone.kind));
+        pugi::xml_node placemark = folder.append_child("Placemark");
+        append_text(placemark, "name", zone.name.empty() ? fmt::format("zone {}", i + 1) : zone.name);
+        append_text(placemark, "description",
+                    zone.agents.empty() ? kind : fmt::format("{} for {}", kind, fmt::join(zone.agents, ", ")));
+        append_text(placemark, "styleUrl", fmt::format("#{}", kind));
+        append_area(placemark, io::polygons_json(placed.to_lon_lat, {closed}));
+    }
+}
+
 }  // namespace
 
 std::string plan_kml(const PlacedPlan& placed) {
@@ -120,6 +140,11 @@ std::string plan_kml(const PlacedPlan& placed) {
     append_style(document, "standing", "ff2020c8", 2, "a02020c8");
     append_style(document, "opened", "ff30a030", 2, "4030a030");
     append_style(document, "breach", "ff1f8ce6", 2, "00ffffff");
+    for (const ZoneKind kind : {ZoneKind::no_fly, ZoneKind::keep_out}) {
+        const char* const id = to_string(kind).data();
+        if (std::ranges::count(placed.zones, kind, &Zone::kind) > 0)
+            append_style(document, id, "ff6e1f9c", 2, "306e1f9c");
+    }
     const pugi::xml_node agents = append_folder(document, "agents");
     const pugi::xml_node breaches = append_folder(document, "breaches");
     const pugi::xml_node obstacles = append_folder(document, "obstacles");
@@ -128,6 +153,7 @@ std::string plan_kml(const PlacedPlan& placed) {
         append_breach(breaches, placed, breach);
         append_obstacle(obstacles, placed, breach);
     }
+    append_zones(document, placed);
     return document_text(file);
 }
 

@@ -53,6 +53,18 @@ class Flight {
         return std::move(items_);
     }
 
+    // What it keeps out of, as the fence has it: by its outline.
+    Json fences() const {
+        Json fences = Json::array();
+        for (const Zone& zone : placed_.zones) {
+            if (!holds_for(zone, aircraft_)) continue;
+            Json corners = Json::array();
+            for (const Point corner : zone.polygon.front()) corners.push_back(lat_lon({corner.x, corner.y, 0}));
+            fences.push_back({{"inclusion", false}, {"polygon", std::move(corners)}, {"version", 1}});
+        }
+        return fences;
+    }
+
     Json home() const { return {lat_lon(aircraft_.path.front())[0], lat_lon(aircraft_.path.front())[1], 0}; }
 
     double speed() const { return aircraft_.speed * placed_.map.cell_size; }
@@ -110,6 +122,7 @@ class Flight {
 };
 
 std::string flight_text(const PlacedPlan& placed, const Itinerary& aircraft, const MavAction& breach) {
+    require_no_hole(placed, aircraft, "QGroundControl");
     Flight flight(placed, aircraft, breach);
     const Json mission{{"version", 2},
                        {"firmwareType", any_autopilot},
@@ -119,12 +132,12 @@ std::string flight_text(const PlacedPlan& placed, const Itinerary& aircraft, con
                        {"hoverSpeed", flight.speed()},
                        {"plannedHomePosition", flight.home()},
                        {"items", flight.items()}};
-    // Readers reject a file without fence and rally points, though there are none.
+    // Readers reject a file without fence and rally points, even where there are none.
     const Json file{{"fileType", "Plan"},
                     {"version", 1},
                     {"groundStation", "waybreaker"},
                     {"mission", mission},
-                    {"geoFence", {{"version", 2}, {"circles", Json::array()}, {"polygons", Json::array()}}},
+                    {"geoFence", {{"version", 2}, {"circles", Json::array()}, {"polygons", flight.fences()}}},
                     {"rallyPoints", {{"version", 2}, {"points", Json::array()}}}};
     return file.dump(2) + "\n";
 }

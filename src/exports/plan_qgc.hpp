@@ -1,6 +1,8 @@
 // The flight of each aircraft as a .plan file of QGroundControl, whose mission autopilots of the MAVLink protocol fly:
 // take-off, speed, a way point at each stop, the command of the breach and a stay for as long as it takes, landing.
 //
+// What the aircraft keeps out of is an exclusion polygon of the fence each.
+//
 // Heights are above the place of take-off. The plan's times know neither climb nor descent.
 #pragma once
 
@@ -15,7 +17,7 @@ namespace waybreaker::exports {
 
 // Path and bytes of each file: `path` itself for one aircraft; for several its name with "-" and the aircraft's id
 // before the ending. Throws InputError if the map does not say where it lies on earth, no altitude is given, the plan
-// has no aircraft or was revised under way, or one name would stand for several files.
+// has no aircraft or was revised under way, one begins in a hole of a zone, or one name would stand for several files.
 std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& placed, const std::string& path,
                                                           const MavAction& breach = {});
 

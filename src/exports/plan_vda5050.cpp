@@ -76,6 +76,22 @@ Message release_zones(const PlacedPlan& placed, const Mission& mission, const io
     return zones;
 }
 
+// What the vehicle keeps out of, by its outline.
+void append_blocked_zones(const PlacedPlan& placed, const Itinerary& vehicle, const io::MapFrame& frame,
+                          Message& zones) {
+    require_no_hole(placed, vehicle, "VDA 5050");
+    for (std::size_t i = 0; i < placed.zones.size(); ++i) {
+        const Zone& zone = placed.zones[i];
+        if (!holds_for(zone, vehicle)) continue;
+        Message vertices = Message::array();
+        for (const Point corner : zone.polygon.front()) vertices.push_back(place_json(frame, corner));
+        Message blocked{{"zoneId", fmt::format("zone-{}", i + 1)}, {"zoneType", "BLOCKED"}};
+        if (!zone.name.empty()) blocked["zoneDescriptor"] = zone.name;
+        blocked["vertices"] = std::move(vertices);
+        zones.push_back(std::move(blocked));
+    }
+}
+
 // Ends the order of the plan before, of which the vehicle may have driven any part.
 Message cancel_order(const PlacedPlan& placed, const Itinerary& vehicle, const std::string& next_order) {
     Message message = header(placed, vehicle.id, 0, vehicle.path.front().t);
@@ -182,8 +198,7 @@ std::string plan_vda5050(const PlacedPlan& placed, const Mission& mission) {
                         placed.map.source));
     }
     const io::MapFrame frame(placed.map);
-    const Message zones = release_zones(placed, mission, frame);
-    const std::string zone_set_id = fmt::format("{}-openings-{}", map_id(placed.map), short_digest(zones));
+    const Message openings = release_zones(placed, mission, frame);
     Message zone_sets = Message::array();
     Message actions = Message::array();
     Message orders = Message::array();
@@ -192,7 +207,10 @@ std::string plan_vda5050(const PlacedPlan& placed, const Mission& mission) {
         if (vehicle.kind != AgentKind::ground) continue;
         require_serial_number(vehicle.id);
         Message zone_set = header(placed, vehicle.id, 0, 0);
-        zone_set["zoneSet"] = {{"mapId", map_id(placed.map)}, {"zoneSetId", zone_set_id}, {"zones", zones}};
+        Message zones = openings;
+        append_blocked_zones(placed, vehicle, frame, zones);
+        const std::string id = fmt::format("{}-openings-{}", map_id(placed.map), short_digest(zones));
+        zone_set["zoneSet"] = {{"mapId", map_id(placed.map)}, {"zoneSetId", id}, {"zones", std::move(zones)}};
         zone_sets.push_back(std::move(zone_set));
         std::vector<Message> own =
             Way(placed, vehicle, frame).orders(io::path_parts(placed.map.map, mission, placed.plan, i));

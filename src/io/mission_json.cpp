@@ -132,6 +132,8 @@ Json rules_json(const MissionDocument& document) {
     json["timing"] = to_string(rules.timing);
     json["objective"] = to_string(rules.objective);
     if (rules.minimise_demolition) json["minimise_demolition"] = number(*rules.minimise_demolition);
+    if (!rules.collisions) json["collisions"] = false;
+    if (rules.unreached) json["unreached"] = number(*rules.unreached);
     if (rules.separation != 0) json["separation"] = number(rules.separation);
     if (rules.at_goal != AtGoal::stay) json["at_goal"] = to_string(rules.at_goal);
     return json;
@@ -247,7 +249,8 @@ Waypoint read_waypoint(const JsonField& field) {
 }
 
 Agent read_agent_of_mission(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches", "approach"});
+    field.allow(
+        {"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "approach"});
     Agent agent;
     agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);
@@ -258,7 +261,11 @@ Agent read_agent_of_mission(const JsonField& field) {
     if (const auto approach = field.find("approach")) {
         for (const JsonField& point : approach->items()) agent.approach.push_back(read_waypoint(point));
     }
-    if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
+    if (const auto weight = field.find("weight")) agent.weight = read_between(*weight, 0, most_weight_of_agent);
+    if (const auto count = field.find("breaches")) {
+        const auto most = int(count->whole_number(0, INT_MAX));
+        (agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches) = most;
+    }
     read_body(field, agent.body);
     return agent;
 }
@@ -271,7 +278,9 @@ Json mission_agent_json(const Agent& agent) {
               {"speed", number(agent.speed)}};
     if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
     for (const Waypoint& p : agent.approach) json["approach"].push_back({p.x, p.y, p.t});
+    if (agent.weight != 1) json["weight"] = number(agent.weight);
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
+    if (agent.own_breaches > 0) json["breaches"] = agent.own_breaches;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = to_string(agent.body.corners);
@@ -307,6 +316,8 @@ void read_rules(const JsonField& field, MissionDocument& document) {
     if (const auto tolerance = field.find("minimise_demolition")) {
         rules.minimise_demolition = read_share(*tolerance);
     }
+    read_truth(field, "collisions", rules.collisions);
+    if (const auto time = field.find("unreached")) rules.unreached = read_between(*time, 0, most_breach_time);
     if (const auto room = field.find("separation")) rules.separation = read_between(*room, 0, most_radius);
     read_word(field, "at_goal", at_goal_words, rules.at_goal);
 }
@@ -346,8 +357,8 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "opened", "failed", "retries", "zones",
-                      "breach_time", "breach_time_per_cell", "timing", "objective", "minimise_demolition", "separation",
-                      "at_goal"});
+                      "breach_time", "breach_time_per_cell", "timing", "objective", "minimise_demolition", "collisions",
+                      "unreached", "separation", "at_goal"});
         read_rules(*rules, result);
     }
     if (const auto method = document.find("method")) {

@@ -144,6 +144,7 @@ Itinerary agent(const JsonField& field) {
     if (result.path.empty()) field["path"].fail("is empty");
     result.start = end_of(field, "start", result.path.front());
     result.goal = end_of(field, "goal", result.path.back());
+    if (const auto reached = field.find("reached")) result.reached = reached->truth();
     result.gain = number_or_null(field.find("gain"));
     if (const auto waits = field.find("waits")) {
         for (const JsonField& item : waits->items()) result.waits.push_back(wait(item));

@@ -18,7 +18,7 @@ Json path_feature(const site::ToLonLat& to_lon_lat, const Itinerary& agent, cons
     Json properties{{"role", "path"}, {"agent", agent.id}, {"kind", kind}, {"speed", agent.speed}};
     if (units.in_seconds && map.has_metres()) properties["speed_m_s"] = agent.speed * map.cell_size;
     properties["time_unit"] = time_unit(units);
-    properties["arrives_at"] = agent.path.back().t;
+    properties["arrives_at"] = agent.reached ? Json(agent.path.back().t) : Json();
     LineJson line = line_json(to_lon_lat, agent.path);
     properties["times"] = std::move(line.times);
     return feature(std::move(properties), std::move(line.geometry));

@@ -184,6 +184,7 @@ Json agent_json(const Itinerary& agent, const std::optional<site::Surface>& surf
               {"speed", number(agent.speed)},
               {"start", cell_json(agent.start)},
               {"goal", cell_json(agent.goal)}};
+    if (!agent.reached) json["reached"] = false;
     if (agent.gain) json["gain"] = number(agent.gain);
     for (const Wait& wait : agent.waits) json["waits"].push_back(wait_json(wait));
     if (surface) json["surface"] = surface_json(*surface);

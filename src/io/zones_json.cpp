@@ -10,21 +10,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr auto cells = "cells";
 
-// What a file says its coordinates are; older GeoJSON has an object, which names a system of coordinates.
-bool is_in_cells(const JsonField& collection) {
-    const auto crs = collection.find("crs");
-    if (!crs) return false;
-    if (crs->json() == cells) return true;
-    if (crs->json().is_object() && crs->json().dump().find("CRS84") != std::string::npos) return false;
-    crs->fail("is neither cells nor longitude and latitude, which GeoJSON has where it says nothing");
-}
-
-Point read_position(const JsonField& field) {
-    const std::vector<JsonField> parts = field.items();
-    if (parts.size() < 2) field.fail("is no position, [x, y]");
-    return {parts[0].number(), parts[1].number()};
-}
-
 std::vector<Point> read_ring(const JsonField& field) {
     std::vector<Point> ring;
     for (const JsonField& position : field.items()) ring.push_back(read_position(position));
@@ -67,6 +52,21 @@ void add_zones(const JsonField& feature, std::vector<Zone>& zones) {
 }
 
 }  // namespace
+
+// Older GeoJSON has an object, which names a system of coordinates.
+bool is_in_cells(const JsonField& collection) {
+    const auto crs = collection.find("crs");
+    if (!crs) return false;
+    if (crs->json() == cells) return true;
+    if (crs->json().is_object() && crs->json().dump().find("CRS84") != std::string::npos) return false;
+    crs->fail("is neither cells nor longitude and latitude, which GeoJSON has where it says nothing");
+}
+
+Point read_position(const JsonField& field) {
+    const std::vector<JsonField> parts = field.items();
+    if (parts.size() < 2) field.fail("is no position, [x, y]");
+    return {parts[0].number(), parts[1].number()};
+}
 
 ZoneCollection read_zones(const JsonField& collection) {
     collection["type"].one_of<bool>({{"FeatureCollection", true}});

@@ -23,6 +23,10 @@ struct ZoneCollection {
     bool in_cells = false;  // else corners are longitude and latitude, in degrees
 };
 
+// Whether a collection says that its coordinates are cells; else they are longitude and latitude.
+bool is_in_cells(const JsonField& collection);
+Point read_position(const JsonField& field);
+
 // Throws InputError naming what is wrong and where. A MultiPolygon is a zone for each of its polygons. Whether the
 // polygons are simple is not asked.
 ZoneCollection read_zones(const JsonField& collection);

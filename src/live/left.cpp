@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "live/detour.hpp"
+
 namespace waybreaker::live {
 namespace {
 
@@ -85,6 +87,8 @@ std::vector<Position> positions_of(const Report& report) {
     std::vector<Position> positions;
     for (const Itinerary& agent : report.plan.agents) {
         positions.push_back(position_of(agent, report.of(agent.id), report.state.now));
+        if (agent.kind == AgentKind::air)
+            fly_round_zones(report.map, report.mission.agents[positions.size() - 1], positions.back());
     }
     // Work that has begun late ends when it is said to.
     for (const Breach& breach : report.plan.breaches) {
@@ -125,6 +129,16 @@ double bound_until(const Report& report, std::size_t agent, const Position& posi
         if (const auto done = done_at(report, *work, position, breach)) until = std::max(until, *done);
     }
     return until;
+}
+
+std::vector<Zone> zones_for(std::vector<Zone> zones, std::span<const Agent> agents) {
+    std::erase_if(zones, [agents](Zone& zone) {
+        const auto is_gone = [agents](const std::string& id) {
+            return std::ranges::find(agents, id, &Agent::id) == agents.end();
+        };
+        return std::erase_if(zone.agents, is_gone) > 0 && zone.agents.empty();
+    });
+    return zones;
 }
 
 Mission left_of(const Report& report, std::span<const Outlook> outlooks) {

@@ -17,8 +17,8 @@ namespace waybreaker::live {
 
 // A plan and what is reported of it.
 struct Report {
-    const Map& map;  // as the plan knows it
-    const Mission& mission;
+    const Map& map;          // as the plan knows it
+    const Mission& mission;  // aircraft with their airspaces
     const Plan& plan;
     const State& state;
     double decided;  // until then agents keep to the plan
@@ -39,6 +39,9 @@ std::vector<Outlook> outlooks_of(const Report& report, std::span<const Position>
 
 // Of an air agent: until then it keeps to its flight, which is `decided` or the end of a breach that has begun by then.
 double bound_until(const Report& report, std::size_t agent, const Position& position);
+
+// The zones that hold for some of these agents, for those alone.
+std::vector<Zone> zones_for(std::vector<Zone> zones, std::span<const Agent> agents);
 
 // The mission that is left, but for where its agents start. `outlooks`: as the breaches of the plan.
 Mission left_of(const Report& report, std::span<const Outlook> outlooks);

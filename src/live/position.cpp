@@ -15,6 +15,12 @@ Point place(const Waypoint& p) {
 
 }  // namespace
 
+std::vector<Waypoint> Position::flight() const {
+    std::vector<Waypoint> path = ahead;
+    path.insert(path.begin() + 1, detour.begin(), detour.end());
+    return path;
+}
+
 Waypoint place_on(const std::vector<Waypoint>& path, double time) {
     const auto after = std::ranges::upper_bound(path, time, {}, &Waypoint::t);
     if (after == path.begin()) return {path.front().x, path.front().y, time};

@@ -19,7 +19,14 @@ struct Position {
     std::vector<Waypoint> ahead;  // `at` at the time asked for, then the points from `next` on. Planned times, or the
                                   // earliest: it drives at its speed, and leaves no place before it was to
 
+    // Of an aircraft that zones are in the way of, to the first point ahead: where it bends; the first of these is
+    // where it gets out of a zone in which it was found.
+    std::vector<Waypoint> detour = {};
+    double leaves_zone = 0;  // the time at which it has got out of one
+
     bool finished() const { return ahead.size() == 1; }
+    // What is ahead, round zones.
+    std::vector<Waypoint> flight() const;
 };
 
 // `state`: what is reported of it, or none.

@@ -60,7 +60,7 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         itinerary.start = agent.start;
         itinerary.gain.reset();
         itinerary.waits.clear();
-        finish.add(agent.kind, std::max(itinerary.path.back().t, agent.ready_at));
+        finish.add(agent, std::max(itinerary.path.back().t, agent.ready_at));
         Route route{agent.kind};
         route.path = places(itinerary.path);
         route.length = path_length(route.path);

@@ -13,6 +13,7 @@
 #include "live/remainder.hpp"
 #include "live/state.hpp"
 #include "mission/waits.hpp"
+#include "model/in_zones.hpp"
 #include "model/objective.hpp"
 #include "orders/orders.hpp"
 
@@ -76,7 +77,8 @@ std::vector<Halt> halts_of(const live::Ground& ground, const Report& report, std
 // begun; as if all went on at once, or as if each waited for all the others.
 enum class Placing { as_planned, going_on, waiting };
 
-// Puts the agents that are left where they are free; whether there is a way to do so.
+// Puts the agents that are left where they are free; whether there is a way to do so. `known`: with what is closed to
+// vehicles.
 bool place_agents(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
                   const Map& known, Placing placing, Mission& left) {
     std::vector<TimedOpening> openings = left.rules.opened;
@@ -94,7 +96,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         if (is_out(positions[i])) continue;
         Agent agent = left.agents[i];
         if (const AgentState* said = report.of(agent.id); said != nullptr && said->goal) agent.goal = *said->goal;
-        const bool stays = positions[i].finished() && agent.goal == left.agents[i].goal;
+        const bool stays =
+            positions[i].finished() && agent.goal == left.agents[i].goal && positions[i].at == Point(agent.goal);
         const Itinerary& planned = report.plan.agents[i];
         if (agent.kind == AgentKind::ground) {
             vehicles.push_back(agents.size());
@@ -103,8 +106,9 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
-            const double bound = std::max(live::bound_until(report, i, positions[i]), agent.ready_at);
-            Base flight = live::until(positions[i].ahead, bound);
+            const double bound =
+                std::max({live::bound_until(report, i, positions[i]), agent.ready_at, positions[i].leaves_zone});
+            Base flight = live::until(positions[i].flight(), bound);
             begin_on(known, std::move(flight), agent);
         }
         agents.push_back(std::move(agent));
@@ -120,7 +124,15 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         agents.push_back(std::move(joined));
     }
     left.agents = std::move(agents);
+    left.rules.zones = live::zones_for(std::move(left.rules.zones), left.agents);
+    if (!report.state.joined.empty()) set_airspaces(known, left);
     return true;
+}
+
+// Of an air agent without breaches.
+std::optional<double> flown(const Agent& agent) {
+    const double length = agent.airspace.length(agent.begin(), agent.goal);
+    return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
 // Without a way for anybody.
@@ -130,7 +142,7 @@ Plan no_plan_of(const Mission& mission) {
     none.before.routes.clear();
     for (const Agent& agent : mission.agents) {
         Route& route = none.before.routes.emplace_back(Route{agent.kind});
-        if (agent.kind == AgentKind::air) route.length = distance(agent.begin(), Point(agent.goal));
+        if (agent.kind == AgentKind::air) route.length = flown(agent);
     }
     none.after = none.before;
     return none;
@@ -166,16 +178,17 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
     for (const Agent& agent : placed.agents) {
         Route& route = before.routes.emplace_back(Route{agent.kind});
         if (agent.kind == AgentKind::air) {
-            route.length = distance(agent.begin(), Point(agent.goal));
+            route.length = flown(agent);
         } else {
             Mission own{{agent}, placed.rules};
+            own.rules.zones = live::zones_for(std::move(own.rules.zones), own.agents);
             own.agents.front().approach.clear();
             own.rules.force.clear();
             const Plan its = plan(own);
             if (its.status == PlanStatus::solved) route = its.after.ground();
         }
         all = all && route.length;
-        if (route.length) finish.add(agent.kind, agent.ready_at + *route.length / agent.speed);
+        if (route.length) finish.add(agent, agent.ready_at + *route.length / agent.speed);
     }
     if (!all) return before;
     before.makespan = finish.makespan();
@@ -190,9 +203,10 @@ bool same_bases(const Mission& a, const Mission& b) {
 
 // The rest of the old plan in place of the new one, where that is no better.
 void keep_if_no_worse(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
-                      const Mission& left, const std::function<Plan(const Mission&)>& plan, Revision& next) {
+                      const Mission& left, const Map& known, const std::function<Plan(const Mission&)>& plan,
+                      Revision& next) {
     Mission placed = left;
-    if (!place_agents(report, positions, outlooks, next.map, Placing::as_planned, placed)) return;
+    if (!place_agents(report, positions, outlooks, known, Placing::as_planned, placed)) return;
     std::optional<Plan> rest = live::remainder_of(report, positions, outlooks, next.map, placed);
     const Objective objective = left.rules.objective;
     if (!rest || reached(*rest, objective) > reached(next.plan, objective) * (1 + 1e-9)) return;
@@ -237,10 +251,16 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (!mission.rules.zones.empty())
-        throw InputError(ErrorCode::contradiction, "zones",
-                         "a mission with zones cannot be planned anew on its way yet; leave the zones out");
-    const Report report{map, mission, plan, state, state.now + reaction};
+    if (mission.opens_own_way())
+        throw InputError(ErrorCode::contradiction, "own_breaches",
+                         "a mission of an agent that opens its own way cannot be planned anew on its way yet");
+    if (!mission.rules.collisions)
+        throw InputError(ErrorCode::contradiction, "collisions",
+                         "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
+    validate_polygons(mission.rules.zones);
+    Mission in_airspace = mission;
+    set_airspaces(map, in_airspace);
+    const Report report{map, in_airspace, plan, state, state.now + reaction};
     const std::vector<Position> positions = live::positions_of(report);
     const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);
     const Mission left = live::left_of(report, outlooks);
@@ -252,6 +272,8 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const std::vector<Found> found = live::found_by(map, state, stopped);
     Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
     next.plan = no_plan_of(left);
+    const std::optional<Map> closed = closed_to_vehicles(next.map, left);
+    const Map& known = closed ? *closed : next.map;
     Revised revised = after(plan, state, found);
     if (!any_drives(report, positions)) {
         revised.reason = "no vehicle is left to drive";
@@ -264,17 +286,17 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
-            if (!place_agents(report, positions, outlooks, next.map, placing, placed)) continue;
+            if (!place_agents(report, positions, outlooks, known, placing, placed)) continue;
             if (next.status == RevisionStatus::no_plan && same_bases(placed, next.mission)) break;  // known already
             next.mission = std::move(placed);
             next.plan = plan_left(next.mission);
             next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
-            keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
+            keep_if_no_worse(report, positions, outlooks, left, known, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
         if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            revised.halts = halts_of({next.map, left.rules.opened}, report, positions);
+            revised.halts = halts_of({known, left.rules.opened}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;

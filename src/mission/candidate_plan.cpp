@@ -50,7 +50,7 @@ std::vector<Breach> breaches(const Task& task, const JointSchedule& schedule, st
         breach.cleared_at = made.cleared_at;
         breach.entered_at = made.entered_at;
         if (task.aircraft.size() == 1) continue;  // nobody has to be told who
-        breach.by = task.aircraft[made.aircraft]->id;
+        breach.by = task.opens_own_way() ? task.driver.id : task.aircraft[made.aircraft]->id;
         breach.begun_at = made.begun_at;
     }
     return breaches;

@@ -89,7 +89,7 @@ void explain_agents(const Mission& mission, Plan& plan) {
         if (agent.kind == AgentKind::air) continue;
         const Route& alone = mission.is_team() ? plan.before.routes[i] : plan.before.ground();
         plan.agents[i].gain.reset();
-        if (!alone.length) continue;
+        if (!alone.length || !plan.agents[i].reached) continue;
         plan.agents[i].gain = agent.ready_at + *alone.length / agent.speed - plan.agents[i].path.back().t;
     }
 }

@@ -40,10 +40,12 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has aircraft that open its way: then nobody gets in anybody's way.
+// Whether one ground agent has its way opened, by aircraft that count like it or by itself: then nobody gets in anybody's
+// way.
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
-    return count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
+    return mission.counts_alike() && count(AgentKind::ground) == 1 &&
+           (count(AgentKind::air) > 0 || mission.opens_own_way());
 }
 
 // What is best, or demolishes the least of what is about as good.
@@ -104,7 +106,7 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         for (const Waypoint& p : path) {
             if (route.path.empty() || route.path.back() != Point(p.x, p.y)) route.path.emplace_back(p.x, p.y);
         }
-        route.length = path_length(route.path);
+        if (plan.agents[i].reached) route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
     add_entries(map, mission, plan);
@@ -158,7 +160,7 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
     Plan best = around_late(zoned.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
         Limits left = limits;
         left.seconds = seconds;
-        if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
+        if (asked.rules.opened.size() < zoned.mission().rules.opened.size()) left.progress = nullptr;
         return plan_active(zoned.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
     });
     std::vector<Plan> plans;
@@ -257,8 +259,8 @@ std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const M
 
 std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& mission, const Method& method,
                                            const Limits& limits) {
-    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
-    if (std::ranges::none_of(mission.agents, flies)) return {plan_active(map, mission, method, limits)};
+    const auto breaches = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
+    if (std::ranges::none_of(mission.agents, breaches)) return {plan_active(map, mission, method, limits)};
     const Rules& rules = mission.rules;
     const Deadline deadline(limits.seconds);
     const auto plan_with = [&](int removals, bool explained) {

@@ -65,14 +65,14 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
             const double time = agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
-            alone.add(AgentKind::air, time);
-            least.add(AgentKind::air, time);
+            alone.add(agent, time);
+            least.add(agent, time);
         } else {
             plan.before.routes.push_back(drive(*vehicle, {vehicle->way.begin(), vehicle->way.end()}));
-            alone.add(AgentKind::ground, vehicle->alone);
-            least.add(AgentKind::ground, vehicle->bound);
+            alone.add(agent, vehicle->alone);
+            least.add(agent, vehicle->bound);
             if (vehicle->way.empty()) plan.before.routes.back().length.reset();
-            all = all && !vehicle->way.empty();
+            all = all && (!vehicle->way.empty() || mission.rules.unreached);
             ++vehicle;
         }
     }
@@ -111,8 +111,10 @@ void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Pl
             plan.after.routes.push_back(drive(team.vehicles[vehicle], places(path)));
             ++vehicle;
         }
-        finish.add(agent.kind, path.back().t);
-        plan.agents.push_back({agent.id, agent.kind, agent.speed, std::move(path), agent.start, agent.goal});
+        finish.add(agent, path.back().t);
+        const bool reached = Point(path.back().x, path.back().y) == Point(agent.goal);
+        if (!reached) plan.after.routes.back().length.reset();
+        plan.agents.push_back({agent.id, agent.kind, agent.speed, std::move(path), agent.start, agent.goal, reached});
     }
     set_figures(plan.after, finish);
     const double reached = rank(mission.rules.objective, finish).first;
@@ -241,7 +243,8 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
     for (const TimedOpening& opening : mission.rules.opened) opened.push_back(opening.obstacle);
     team::TeamPlan team = team::plan_team(OpenedMap(map, opened), mission, interrupts, crossing, searcher, tell);
     plan.status = plan_status(team.status);
-    const bool all_alone = std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
+    const bool all_alone =
+        mission.rules.unreached || std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
     if (all_alone) {
         add_alone(mission, team.vehicles, plan);
     } else {

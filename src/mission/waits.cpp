@@ -48,7 +48,7 @@ class Causes {
   public:
     Causes(const Map& map, const Mission& mission, const Plan& plan) : map_(map), mission_(mission), plan_(plan) {
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-            if (plan.agents[i].kind == AgentKind::air) continue;
+            if (plan.agents[i].kind == AgentKind::air || !mission.rules.collisions) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
             const auto [left, right] = std::ranges::minmax(path, {}, &Waypoint::x);
             const auto [top, bottom] = std::ranges::minmax(path, {}, &Waypoint::y);

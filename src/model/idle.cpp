@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/objective.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
@@ -43,7 +44,7 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
             continue;
         }
         last_idle_ = std::max(last_idle_, flight_time(agent));
-        sum_of_idle_ += flight_time(agent);
+        sum_of_idle_ += weighted(agent.weight, flight_time(agent));
     }
     if (!one_drives) return;
     const bool is_pair = active_.agents.size() == 2;

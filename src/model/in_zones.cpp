@@ -48,6 +48,10 @@ std::vector<ObstacleId> obstacles_in(const Map& map, const Zone& zone) {
     return {ids.begin(), ids.end()};
 }
 
+bool opens_by_itself(const Rules& rules, ObstacleId id) {
+    return std::ranges::count(rules.opened, id, &TimedOpening::obstacle) > 0;
+}
+
 // Whether an aircraft gets to a cell from which an obstacle can be breached.
 bool is_in_reach(const Map& map, const Obstacle& obstacle, const Agent& aircraft) {
     // Most lie far from any zone: then one cell beside them is as good as another.
@@ -66,16 +70,8 @@ class ZoneRules {
     ZoneRules(const Map& map, const Mission& mission) : map_(map), mission_(mission) {}
 
     void validate() const {
-        std::size_t corners = 0;
-        for (std::size_t i = 0; i < zones().size(); ++i) {
-            for (const std::vector<Point>& ring : zones()[i].polygon) corners += ring.size();
-            if (corners > most_zone_corners)
-                throw InputError(ErrorCode::too_large, "zones",
-                                 "the zones have more than " + std::to_string(most_zone_corners) +
-                                     " corners together; simplify their polygons");
-            waybreaker::validate(zones()[i], i + 1);
-            validate_agents(i);
-        }
+        validate_polygons(zones());
+        for (std::size_t i = 0; i < zones().size(); ++i) validate_agents(i);
         for (std::size_t i = 0; i < zones().size(); ++i) {
             if (!holds(zones()[i], mission_)) continue;
             zones()[i].kind == ZoneKind::no_fly ? validate_no_fly(i) : validate_keep_out(i);
@@ -143,7 +139,6 @@ class ZoneRules {
                                      ", which vehicles keep out of; leave one of them out");
             };
             if (std::ranges::count(rules.force, id) > 0) refuse(", which must be removed,");
-            if (std::ranges::count(rules.opened, id, &TimedOpening::obstacle) > 0) refuse(", which opens by itself,");
         }
     }
 
@@ -204,40 +199,66 @@ class ZoneRules {
 
 }  // namespace
 
+void validate_polygons(const std::vector<Zone>& zones) {
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        for (const std::vector<Point>& ring : zones[i].polygon) corners += ring.size();
+        if (corners > most_zone_corners)
+            throw InputError(ErrorCode::too_large, "zones",
+                             "the zones have more than " + std::to_string(most_zone_corners) +
+                                 " corners together; simplify their polygons");
+        validate(zones[i], i + 1);
+    }
+}
+
 void validate_zones(const Map& map, const Mission& mission) {
     if (!mission.rules.zones.empty()) ZoneRules(map, mission).validate();
 }
 
-InZones::InZones(const Map& map, const Mission& mission) : map_(map), mission_(mission) {
-    if (mission.rules.zones.empty()) return;
-    zoned_ = mission;
-    Rules& rules = zoned_->rules;
-    rules.zones.clear();
-    std::set<ObstacleId> kept;
+void set_airspaces(const Map& map, Mission& mission) {
+    const Airspace air(those_that_hold(mission, ZoneKind::no_fly), map.width(), map.height());
+    for (Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air) agent.airspace = air;
+    }
+}
+
+std::optional<Map> closed_to_vehicles(const Map& map, const Mission& mission) {
     std::set<Cell> closed;
     for (const Zone& zone : those_that_hold(mission, ZoneKind::keep_out)) {
         for (const Cell c : zones::cells_in(zone, map.width(), map.height())) {
             const ObstacleId id = map.obstacle_at(c);
-            if (id) {
-                kept.insert(id);
-            } else {
-                closed.insert(c);
-            }
+            if (!id || opens_by_itself(mission.rules, id)) closed.insert(c);
         }
     }
-    if (!closed.empty()) closed_ = map.with({MapEdit::add({closed.begin(), closed.end()}, {.destructible = false})});
-    const Airspace air(those_that_hold(mission, ZoneKind::no_fly), map.width(), map.height());
-    for (Agent& agent : zoned_->agents) {
-        if (agent.kind == AgentKind::air) agent.airspace = air;
+    if (closed.empty()) return std::nullopt;
+    return map.with({MapEdit::add({closed.begin(), closed.end()}, {.destructible = false})});
+}
+
+InZones::InZones(const Map& map, const Mission& mission) : map_(map), mission_(mission) {
+    if (mission.rules.zones.empty()) return;
+    closed_ = closed_to_vehicles(map, mission);
+    zoned_ = mission;
+    set_airspaces(map, *zoned_);
+    Rules& rules = zoned_->rules;
+    rules.zones.clear();
+    std::set<ObstacleId> kept;
+    for (const Zone& zone : those_that_hold(mission, ZoneKind::keep_out)) {
+        for (const ObstacleId id : obstacles_in(map, zone)) {
+            if (!opens_by_itself(rules, id)) kept.insert(id);
+        }
     }
-    if (const Agent* scout = first_aircraft(*zoned_); scout != nullptr && !air.is_open()) {
+    if (const Agent* scout = first_aircraft(*zoned_); scout != nullptr && !scout->airspace.is_open()) {
         for (const Obstacle& obstacle : map.obstacles()) {
             if (obstacle.gone() || !obstacle.destructible || kept.contains(obstacle.id)) continue;
+            if (opens_by_itself(rules, obstacle.id)) continue;
             if (!is_in_reach(map, obstacle, *scout)) kept.insert(obstacle.id);
         }
     }
     for (const ObstacleId id : rules.protect) kept.insert(id);
     rules.protect.assign(kept.begin(), kept.end());
+    std::erase_if(rules.opened, [this](const TimedOpening& opening) {
+        return closed_ && closed_->obstacle(opening.obstacle).gone();
+    });
 }
 
 }  // namespace waybreaker

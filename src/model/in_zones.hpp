@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
@@ -14,12 +15,22 @@ namespace waybreaker {
 // REQUIRES: a mission that is valid but for its zones.
 void validate_zones(const Map& map, const Mission& mission);
 
+// Gives aircraft the airspace that the zones of the mission leave them.
+void set_airspaces(const Map& map, Mission& mission);
+
+// With an obstacle more, the last one: the cells that reach into a zone for vehicles, free ones and those of obstacles
+// that open by themselves. All others stay. Empty where there are no such cells.
+std::optional<Map> closed_to_vehicles(const Map& map, const Mission& mission);
+
+// Throws InputError, naming the zone, if a polygon is none, or all have too many corners together.
+void validate_polygons(const std::vector<Zone>& zones);
+
 class InZones {
   public:
     // Both must outlive it. REQUIRES: valid zones.
     InZones(const Map& map, const Mission& mission);
 
-    // With an obstacle more, the last one: the free cells that reach into a zone for vehicles. All others stay.
+    // That which is closed to vehicles.
     const Map& map() const { return closed_ ? *closed_ : map_; }
     // Without zones.
     const Mission& mission() const { return zoned_ ? *zoned_ : mission_; }

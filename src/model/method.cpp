@@ -58,10 +58,27 @@ void validate_demolition(const Map& map, const Mission& mission, const Method& m
     }
 }
 
-// What aircraft may breach, and what must be removed.
+// What cannot be planned yet of a ground agent that opens its own way.
+void validate_own_way(const Mission& mission) {
+    if (!mission.opens_own_way()) return;
+    const auto breaches = std::ranges::find_if(mission.agents, [](const Agent& one) { return one.own_breaches > 0; });
+    const std::string who = "the " + breaches->id + " agent breaches what is in its way itself: ";
+    const auto contradiction = [&](const std::string& what) {
+        throw InputError(ErrorCode::contradiction, breaches->id, who + what);
+    };
+    if (mission.agents.size() > 1) contradiction("it must be the mission's only agent");
+    if (mission.rules.timing == Timing::ignore) contradiction("that takes time, so timing must be enforced");
+    if (!mission.rules.force.empty()) contradiction("no other obstacle can be forced");
+    if (!mission.counts_alike()) contradiction("weight and unreached are for several agents");
+}
+
+// What agents may breach, and what must be removed.
 void validate_capacity(const Mission& mission) {
     std::int64_t capacity = 0;
     for (const Agent& agent : mission.agents) {
+        if (agent.own_breaches < 0 || (agent.own_breaches > 0 && agent.kind == AgentKind::air))
+            throw InputError(ErrorCode::out_of_range, "own_breaches",
+                             "the " + agent.id + " agent's own breaches are those of a ground agent, 0 or more");
         if (agent.kind == AgentKind::ground) {
             const bool is_limited = agent.breaches != any_number;
             if (is_limited)
@@ -88,12 +105,13 @@ void validate_team(const Mission& mission, const Method& method) {
     const auto aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind);
     const auto vehicles = std::ssize(mission.agents) - aircraft;
     const bool removes = aircraft > 0 && mission.rules.removals > 0;
-    if (removes && (vehicles > 1 || aircraft > 1) && method.flight != FlightRule::optimal) {
+    const bool drives_alone = vehicles == 1 && aircraft > 0 && mission.counts_alike();
+    if (removes && !(drives_alone && aircraft == 1) && method.flight != FlightRule::optimal) {
         throw InputError(
             ErrorCode::contradiction, "",
             "the aircraft of a team fly by optimal; nearest, the paper's rule, is for one vehicle and one aircraft");
     }
-    if (vehicles == 1 && aircraft > 0) return;
+    if (drives_alone) return;
     if (!method.diagonal)
         throw InputError(ErrorCode::contradiction, "", "several ground agents move by eight neighbours, not by four");
 }
@@ -129,6 +147,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
         }
     }
     validate(map, mission);
+    validate_own_way(mission);
     validate_capacity(mission);
     validate_team(ActivePart(mission).mission(), method);
     validate_demolition(map, mission, method);

@@ -164,6 +164,22 @@ void validate_room(const Agent& a, const Agent& b, Cell Agent::*place, const cha
                          " cells apart, and must be " + number_text(std::max(needed, 1.0)));
 }
 
+void validate_unreached(const Mission& mission) {
+    if (!mission.rules.unreached) return;
+    const double unreached = *mission.rules.unreached;
+    require_range(unreached, 0, most_breach_time, "the time that an agent counts as that is not reached");
+    if (mission.rules.collisions) {
+        throw InputError(ErrorCode::contradiction, "unreached",
+                         "ground agents can only be left where they are if they do not collide (collisions: false)");
+    }
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air || agent.ready_at < unreached) continue;
+        throw InputError(ErrorCode::contradiction, agent.id,
+                         "the " + agent.id + " agent is ready at " + number_text(agent.ready_at) +
+                             ", when it counts as not reached: that is from " + number_text(unreached) + " on");
+    }
+}
+
 void validate_team(const Mission& mission) {
     if (mission.agents.size() > most_agents) {
         throw InputError(ErrorCode::too_large, "agents",
@@ -171,11 +187,17 @@ void validate_team(const Mission& mission) {
                              std::to_string(mission.agents.size()));
     }
     require_range(mission.rules.separation, 0, 32, "the separation of ground agents, in cells,");
+    if (!mission.rules.collisions && mission.rules.separation > 0) {
+        throw InputError(ErrorCode::contradiction, "separation",
+                         "ground agents that may be anywhere at once (collisions: false) have no separation");
+    }
     std::vector<const Agent*> drivers;
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) drivers.push_back(&agent);
     }
     if (drivers.empty()) throw InputError(ErrorCode::contradiction, "", "the mission has no ground agent");
+    validate_unreached(mission);
+    if (!mission.rules.collisions) return;
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             // Who is under way may be gone when another comes there.
@@ -217,13 +239,21 @@ Mission ground_and_air(Cell start, Cell goal) {
 PlaceError::PlaceError(Misplaced agent)
     : InputError(ErrorCode::no_room, agent.agent, sentence(agent)), misplaced(std::move(agent)) {}
 
+bool Mission::counts_alike() const {
+    return !rules.unreached && std::ranges::all_of(agents, [](const Agent& agent) { return agent.weight == 1; });
+}
+
 bool Mission::is_team() const {
-    return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);
+    return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind || !counts_alike());
+}
+
+bool Mission::opens_own_way() const {
+    return std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
 }
 
 int Mission::removals_allowed() const {
     std::int64_t capacity = 0;
-    for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : 0;
+    for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches;
     return int(std::min<std::int64_t>(rules.removals, capacity));
 }
 
@@ -238,6 +268,7 @@ void validate(const Map& map, const Mission& mission) {
                              "two agents of the mission have the id '" + agent.id + "'");
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
+        require_range(agent.weight, 0, most_weight_of_agent, "the weight of the " + agent.id + " agent");
         if (agent.kind == AgentKind::ground) validate(agent.body);
         validate_place(OpenedMap(map, open_by(mission.rules, agent.ready_at)), agent, agent.start, "start");
         validate_place(OpenedMap(map, open_by(mission.rules, most_breach_time)), agent, agent.goal, "goal");

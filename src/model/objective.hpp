@@ -2,30 +2,44 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker {
 
+// What an arrival adds to the flowtime: infinity if there is none, whatever it counts for.
+inline double weighted(double weight, double time) {
+    return std::isinf(time) ? time : weight * time;
+}
+
+// Of the agent that counts for least; 0 if there is none.
+inline double least_weight_of(std::span<const Agent* const> agents) {
+    const auto least = std::ranges::min_element(agents, {}, &Agent::weight);
+    return least == agents.end() ? 0 : (*least)->weight;
+}
+
 // When agents are at their goals, in units of time.
 struct Finish {
     double ground = 0;    // the last of the ground agents
     double air = 0;       // the last of the air agents
-    double flowtime = 0;  // sum over all
+    double flowtime = 0;  // sum over all, weighted
 
     double makespan() const { return std::max(ground, air); }
 
-    void add(AgentKind kind, double time) {
+    void add(AgentKind kind, double time, double weight = 1) {
         double& last = kind == AgentKind::ground ? ground : air;
         last = std::max(last, time);
-        flowtime += time;
+        flowtime += weighted(weight, time);
     }
+    void add(const Agent& agent, double time) { add(agent.kind, time, agent.weight); }
 };
 
 // When the aircraft are at their goals, in units of time.
 struct Returns {
     double last = 0;
-    double sum = 0;
+    double sum = 0;  // weighted
 };
 
 // Of one ground agent and the aircraft.

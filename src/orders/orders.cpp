@@ -95,7 +95,7 @@ void add_passing_orders(const Mission& mission, Plan& plan) {
 void add_orders(const Map& map, const Mission& mission, Plan& plan) {
     plan.orders.clear();
     if (mission.rules.timing == Timing::enforce) add_opening_orders(map, mission, plan);
-    add_passing_orders(mission, plan);
+    if (mission.rules.collisions) add_passing_orders(mission, plan);
     std::ranges::sort(plan.orders, {}, [](const Order& order) {
         return std::tuple(order.after, order.before, order.reason, order.obstacle);
     });

@@ -44,6 +44,13 @@ std::size_t Actor::passed(double now) const {
     return point;
 }
 
+double length_of(const std::vector<Waypoint>& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    return length;
+}
+
 std::vector<Cell> rubble_at(const Map& map, Point place, const std::vector<Actor>& actors, double now) {
     std::vector<Cell> cells;
     for (int y = int(std::floor(place.y - half_street)); y <= int(std::ceil(place.y + half_street)); ++y) {

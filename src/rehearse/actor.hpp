@@ -60,6 +60,8 @@ struct Actor {
     std::size_t passed(double now) const;
 };
 
+double length_of(const std::vector<Waypoint>& path);
+
 // The cells of a street that is blocked there; none where a vehicle is or is to end.
 std::vector<Cell> rubble_at(const Map& map, Point place, const std::vector<Actor>& actors, double now);
 

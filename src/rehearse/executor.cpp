@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +10,7 @@
 #include "rehearse/actor.hpp"
 #include "rehearse/draws.hpp"
 #include "rehearse/trail.hpp"
+#include "rehearse/zone_faults.hpp"
 #include "waybreaker/revise.hpp"
 
 namespace waybreaker::rehearsal {
@@ -18,13 +19,6 @@ namespace {
 // What happens within so long happens at once: revisions look at times of plans, which are rounded.
 constexpr double at_once = 1e-6;
 constexpr int most_revisions = 1000;
-
-double length_of(const std::vector<Waypoint>& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-    return length;
-}
 
 class Execution {
   public:
@@ -44,6 +38,7 @@ class Execution {
             actor.kind = agent.kind;
             actor.speed = agent.speed;
             actor.trail.agent = agent.id;
+            actor.trail.kind = agent.kind;
             if (agent.kind == AgentKind::ground) actor.radius = scene.mission.agents[i].body.reach();
             actor.trail.radius = actor.radius;
             draw_news(actor, length_of(agent.path));
@@ -122,10 +117,10 @@ class Execution {
         }
     }
 
-    // Where it is by now; not of aircraft, nor of who has left the map.
+    // Where it is by now; not of who has left the map.
     void log(Actor& actor) const {
         const bool left = actor.phase == Phase::arrived && scene_.mission.rules.at_goal == AtGoal::leave;
-        if (actor.kind == AgentKind::ground && !left) actor.trail.add(actor.at(now_), now_);
+        if (!left) actor.trail.add(actor.at(now_), now_);
     }
 
     static void stand(Actor& actor, Phase phase, double until = never) {
@@ -351,19 +346,21 @@ class Execution {
     }
 
     void close() {
+        const Rules& rules = scene_.mission.rules;
+        std::vector<std::string> faults;
         std::vector<Trail> vehicles;
         for (Actor& actor : actors_) {
             log(actor);
             const bool arrived = actor.phase == Phase::arrived;
             const double ended = arrived ? actor.arrived_at : now_;
             if (actor.phase != Phase::lost) result_.makespan = std::max(result_.makespan, ended);
+            if (auto fault = zone_fault(rules.zones, actor.trail)) faults.push_back(*std::move(fault));
             if (actor.kind == AgentKind::air) continue;
             result_.ground_makespan = std::max(result_.ground_makespan, ended);
             vehicles.push_back(std::move(actor.trail));
         }
-        const Rules& rules = scene_.mission.rules;
-        const std::vector<std::string> faults =
-            faults_of(scene_.map, events_, vehicles, rules.separation, rules.at_goal == AtGoal::stay);
+        const bool stay = rules.at_goal == AtGoal::stay;
+        std::ranges::move(faults_of(scene_.map, events_, vehicles, rules.separation, stay), std::back_inserter(faults));
         result_.illegal = int(faults.size());
         if (!faults.empty()) result_.fault = faults.front();
     }

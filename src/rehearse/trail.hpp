@@ -25,6 +25,7 @@ struct Piece {
 
 struct Trail {
     std::string agent;
+    AgentKind kind = AgentKind::ground;
     double radius = 0;               // of its disc, in cells; 0: a point
     std::vector<Piece> pieces = {};  // without gaps, in order
     // It goes on to there, or stands until then.

@@ -103,8 +103,10 @@ std::string headline(const Map& map, const Mission& mission, const Plan& plan, c
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
     if (mission.is_team()) {
-        return fmt::format("{} agents: {} {} {}{}{}", mission.agents.size(), name_of(options.objective, mission),
-                           number(value(plan.after, options.objective), factor), time_unit(mission, options),
+        const std::size_t agents = mission.agents.size();
+        return fmt::format("{} agent{}: {} {} {}{}{}", agents, agents == 1 ? "" : "s",
+                           name_of(options.objective, mission), number(value(plan.after, options.objective), factor),
+                           time_unit(mission, options),
                            plan.breaches.empty() ? "" : ", " + removals(map, plan, options), gap(plan, options));
     }
     const std::string what = capitalised(name_of(options.objective, mission));

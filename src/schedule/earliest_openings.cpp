@@ -120,6 +120,7 @@ EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const Obst
     least[0] = {};
     for (std::size_t a = 0; a < aircraft_.size(); ++a) {
         const Flights flights = flights_of(a, toured);
+        const double weight = aircraft_[a]->weight;
         std::vector<Times> more(subsets, none);
         for (std::uint32_t all = 0; all < subsets; ++all) {
             for (std::uint32_t own = all;; own = (own - 1) & all) {
@@ -127,7 +128,7 @@ EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const Obst
                 Times& both = more[all];
                 both.open = std::min(both.open, std::max(others.open, flights.open[own]));
                 both.home.last = std::min(both.home.last, std::max(others.home.last, flights.home[own]));
-                both.home.sum = std::min(both.home.sum, others.home.sum + flights.home[own]);
+                both.home.sum = std::min(both.home.sum, others.home.sum + weighted(weight, flights.home[own]));
                 if (own == 0 || a == 0) break;  // before the first aircraft nothing is breached
             }
         }
@@ -136,7 +137,7 @@ EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const Obst
     Times times = least[subsets - 1];
     double rest = 0;
     for (const ObstacleId id : obstacles.subspan(toured.size())) rest += stay(id);
-    times.home.sum += rest;
+    times.home.sum += weighted(least_weight_of(aircraft_), rest);
     if (aircraft_.size() == 1) {
         times.open += rest;
         times.home.last += rest;

@@ -26,12 +26,12 @@ double Drive::end(std::span<const double> cleared) const {
 Precedence::Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays)
     : aircraft_(std::move(aircraft)), stays_(std::move(stays)), unflown_(stays_.size(), never) {}
 
-void Precedence::add_vehicle(std::vector<Drive> drives) {
+void Precedence::add_vehicle(std::vector<Drive> drives, double weight) {
     const bool may_wait = std::ranges::any_of(drives, [](const Drive& drive) { return !drive.passages.empty(); });
     if (may_wait) {
-        vehicles_.push_back(std::move(drives));
+        vehicles_.push_back({std::move(drives), weight});
     } else {
-        others_.add(AgentKind::ground, earliest(drives, {}));
+        others_.add(AgentKind::ground, earliest(drives, {}), weight);
     }
 }
 
@@ -40,15 +40,15 @@ Precedence::Flights Precedence::flights(std::span<const Tour> tours) const {
     const auto stay = [this](std::size_t target) { return stays_[target]; };
     const auto clear = [&](const Stop& stop, double, double cleared) { flights.cleared[stop.target] = cleared; };
     for (std::size_t a = 0; a < tours.size(); ++a) {
-        flights.finish.add(AgentKind::air, fly(*aircraft_[a], tours[a], stay, clear));
+        flights.finish.add(*aircraft_[a], fly(*aircraft_[a], tours[a], stay, clear));
     }
     return flights;
 }
 
 Finish Precedence::finish(std::span<const Tour> tours) const {
     Flights known = flights(tours);
-    for (const std::vector<Drive>& drives : vehicles_) {
-        known.finish.add(AgentKind::ground, earliest(drives, known.cleared));
+    for (const Driver& vehicle : vehicles_) {
+        known.finish.add(AgentKind::ground, earliest(vehicle.drives, known.cleared), vehicle.weight);
     }
     return known.finish;
 }

@@ -40,8 +40,9 @@ class Precedence {
     // The target is gone at that time, whoever flies.
     void open_by_itself(std::size_t target, double at) { unflown_[target] = at; }
 
-    // A vehicle that takes the drive on which it arrives first. If it has none, all finish at infinity.
-    void add_vehicle(std::vector<Drive> drives);
+    // A vehicle of that weight, which takes the drive on which it arrives first. If it has none, all finish at
+    // infinity.
+    void add_vehicle(std::vector<Drive> drives, double weight = 1);
 
     // By target, when it is gone. `tours`: of each aircraft.
     std::vector<double> cleared(std::span<const Tour> tours) const { return flights(tours).cleared; }
@@ -57,9 +58,13 @@ class Precedence {
 
     std::vector<const Agent*> aircraft_;
     std::vector<double> stays_;
-    std::vector<double> unflown_;               // by target: when it is gone without a stop
-    std::vector<std::vector<Drive>> vehicles_;  // that may have to wait
-    Finish others_;                             // of the other vehicles
+    std::vector<double> unflown_;  // by target: when it is gone without a stop
+    struct Driver {
+        std::vector<Drive> drives;
+        double weight = 1;
+    };
+    std::vector<Driver> vehicles_;  // that may have to wait
+    Finish others_;                 // of the other vehicles
 };
 
 }  // namespace waybreaker

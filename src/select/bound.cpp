@@ -52,6 +52,7 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     crossing.budget = task.spare_budget();
     crossing.length_limit = costliest_path(task, objective, opening_times);
     crossing.limits = limits_of(task, seconds);
+    crossing.prices = task.prices;
     if (opening_times.matter()) {
         crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
     }

@@ -7,12 +7,17 @@
 #include "map/line_of_sight.hpp"
 #include "model/opened.hpp"
 #include "model/timeline.hpp"
+#include "schedule/own_schedule.hpp"
 
 namespace waybreaker {
 namespace {
 
 JointSchedule scheduled(const Task& task, const Opening& opening) {
     const std::vector<Point> nowhere{task.driver.start};
+    if (task.opens_own_way()) {
+        return own_schedule(task.map, task.driver, task.rules,
+                            opening.ground.path.empty() ? nowhere : opening.ground.path, opening.removed);
+    }
     const JointTask asked{.ground_path = opening.ground.path.empty() ? nowhere : opening.ground.path,
                           .driver = task.driver,
                           .aircraft = task.aircraft,
@@ -25,6 +30,14 @@ JointSchedule scheduled(const Task& task, const Opening& opening) {
 
 // Lets stand again what the ground path does without, but for what must be removed. Whether it let any.
 bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& opening) {
+    if (task.opens_own_way()) {
+        // It breaches what it touches, and nothing else.
+        const auto stays = [&](ObstacleId id) {
+            return std::ranges::find(schedule.breaches, id, &TimedBreach::obstacle) == schedule.breaches.end() &&
+                   std::ranges::find(task.given, id) == task.given.end();
+        };
+        return std::erase_if(opening.removed, stays) > 0;
+    }
     // The shortest path of a point needs all that it crosses.
     if (drives_by_crossing(task) && task.driver.body.is_point()) return false;
     const std::size_t before = opening.removed.size();

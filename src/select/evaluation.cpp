@@ -161,7 +161,7 @@ Candidate evaluated(const Task& task, const Searchers& searchers, OpeningTimes& 
     const std::optional<double> length = shortest.ground.length;
     Candidate start = candidate_of(task, std::move(shortest));
     const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;
-    if (!promises || !drives_by_crossing(task) || task.driver.body.is_point()) return start;
+    if (!promises || task.opens_own_way() || !drives_by_crossing(task) || task.driver.body.is_point()) return start;
     PathsInTime paths(task, searchers, opening_times, removed, cutoff);
     Candidate best = start;
     const auto take_better = [&](Candidate other) {

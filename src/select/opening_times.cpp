@@ -6,7 +6,7 @@ namespace waybreaker {
 namespace {
 
 bool may_matter(const Task& task) {
-    if (task.rules.timing == Timing::ignore) return false;
+    if (task.rules.timing == Timing::ignore || task.opens_own_way()) return false;
     const auto keeps_up = [&](const Agent* agent) {
         return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
                agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals && agent->airspace.is_open();

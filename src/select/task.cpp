@@ -17,9 +17,18 @@ std::vector<ObstacleId> given_by(const Rules& rules) {
     return given;
 }
 
+std::vector<double> prices_of(const Map& map, const Agent& driver, const Rules& rules) {
+    std::vector<double> prices{0};
+    for (const Obstacle& obstacle : map.obstacles()) {
+        prices.push_back(rules.breach_time.of(obstacle) * driver.speed);
+    }
+    return prices;
+}
+
 }  // namespace
 
 Returns least_return(const Task& task, std::span<const ObstacleId> removed) {
+    if (task.aircraft.empty()) return {};
     if (task.aircraft.size() > 1) return EarliestOpenings(task.map, task.rules, task.aircraft).of(removed).home;
     const Agent& flyer = *task.aircraft.front();
     // The flight past all of them is no shorter than the one past as many as are solved with proof.
@@ -39,6 +48,7 @@ Task task_of(const Map& map, const Mission& mission, const Method& method, const
     const Agent& driver = mission.first(AgentKind::ground);
     Task task{map, driver, std::move(aircraft), mission.rules, method, limits, Deadline(limits.seconds), {}};
     task.given = given_by(mission.rules);
+    if (task.opens_own_way()) task.prices = prices_of(map, driver, mission.rules);
     task.least_flight = least_return(task, task.rules.force);
     return task;
 }
@@ -46,6 +56,7 @@ Task task_of(const Map& map, const Mission& mission, const Method& method, const
 Task Task::under(const Rules& others, const Map& weighed) const {
     Task task{weighed, driver, aircraft, others, method, limits, deadline, {}, false};
     task.given = given_by(others);
+    task.prices = prices;
     task.least_flight = least_return(task, others.force);
     return task;
 }
@@ -61,7 +72,7 @@ double Task::objective(double ground_time, const Returns& home) const {
 }
 
 std::int64_t Task::capacity() const {
-    std::int64_t breaches = 0;
+    std::int64_t breaches = driver.own_breaches;
     for (const Agent* agent : aircraft) breaches += agent->breaches;
     return breaches;
 }

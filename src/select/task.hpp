@@ -21,7 +21,7 @@ inline constexpr double rounding = 1e-9;
 struct Task {
     const Map& map;
     const Agent& driver;
-    std::vector<const Agent*> aircraft;  // at least one
+    std::vector<const Agent*> aircraft;  // none: the driver breaches what is in its way itself
     const Rules& rules;
     const Method& method;
     const Limits& limits;
@@ -31,6 +31,8 @@ struct Task {
     bool reports = true;  // its progress
     // What is removed in every plan: what must be, and what opens by itself.
     std::vector<ObstacleId> given = {};
+    // What the driver could drive while it breaches each obstacle itself, by id, in cells; empty if it does not.
+    std::vector<double> prices = {};
 
     // The planner that drives the ground agent.
     Algorithm planner() const { return planner_of(method, driver.body); }
@@ -43,7 +45,8 @@ struct Task {
     // When the ground agent arrives that drives so many cells without a wait, and how many it can drive until then.
     double arrival(double cells) const { return driver.ready_at + cells / driver.speed; }
     double cells_until(double time) const { return std::max(time - driver.ready_at, 0.0) * driver.speed; }
-    // How many obstacles the aircraft may breach together.
+    bool opens_own_way() const { return aircraft.empty(); }
+    // How many obstacles the aircraft may breach together, or the driver.
     std::int64_t capacity() const;
     // How many obstacles may be removed beside those that must be.
     int spare_removals() const { return rules.removals - int(rules.force.size()); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "model/objective.hpp"
 #include "safe_interval/driven.hpp"
@@ -62,17 +63,17 @@ bool Fleet::hold_as_at_first() {
     return held_longer;
 }
 
-Cost Fleet::cost() const {
+Cost cost_of(std::span<const Vehicle> vehicles, std::span<const Path> paths, Objective objective) {
     Cost cost;
     Finish finish;
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        if (!has_path(i)) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].empty()) {
             ++cost.missing;
-            continue;
+        } else {
+            finish.add(vehicles[i].agent, paths[i].back().t);
         }
-        finish.add(AgentKind::ground, arrival(i));
     }
-    const Rank figures = rank(rules_.objective, finish);
+    const Rank figures = rank(objective, finish);
     cost.first = figures.first;
     cost.second = figures.second;
     return cost;
@@ -82,10 +83,11 @@ double Fleet::latest_arrival(const Cost& cost, std::uint32_t i) const {
     constexpr double rounding = 1e-9;
     double left = cost.first * (1 + rounding) + rounding;
     if (rules_.objective != Objective::flowtime) return left;
+    const auto weight = [this](std::uint32_t vehicle) { return vehicles_[vehicle].agent.weight; };
     for (std::uint32_t other = 0; other < size(); ++other) {
-        if (other != i) left -= has_path(other) ? arrival(other) : vehicles_[other].alone;
+        if (other != i) left -= weighted(weight(other), has_path(other) ? arrival(other) : vehicles_[other].alone);
     }
-    return left;
+    return weight(i) > 0 ? left / weight(i) : std::numeric_limits<double>::infinity();
 }
 
 void Fleet::stand_at_start(std::uint32_t i) {
@@ -97,16 +99,27 @@ void Fleet::stand_at_start(std::uint32_t i) {
     traffic_.add(i, standing, agent.body.reach(), false);
 }
 
-SafeIntervalOptions Fleet::options_for(std::uint32_t i) const {
-    const Vehicle& vehicle = vehicles_[i];
+SafeIntervalOptions driving(const Ground& ground, const Vehicle& vehicle) {
     SafeIntervalOptions options;
     options.body = vehicle.agent.body;
     options.speed = vehicle.agent.speed;
     options.ready_at = vehicle.agent.ready_at;
     if (!vehicle.agent.approach.empty()) options.since = options.ready_at;
-    options.stays = rules_.at_goal == AtGoal::stay;
-    options.openings = ground_.openings;
+    options.openings = ground.openings;
     options.known = vehicle.way;
+    return options;
+}
+
+Path after_approach(const Agent& agent, std::span<const Waypoint> path) {
+    Path whole = agent.approach;
+    std::ranges::copy_if(path, std::back_inserter(whole),
+                         [&](const Waypoint& p) { return agent.approach.empty() || p.t > agent.ready_at; });
+    return whole;
+}
+
+SafeIntervalOptions Fleet::options_for(std::uint32_t i) const {
+    SafeIntervalOptions options = driving(ground_, vehicles_[i]);
+    options.stays = rules_.at_goal == AtGoal::stay;
     return options;
 }
 
@@ -121,7 +134,7 @@ bool Fleet::plan(std::uint32_t i, double arrive_before) {
         stand_at_start(i);
         return false;
     }
-    put(i, std::move(found.path));
+    put(i, found.path);
     return true;
 }
 
@@ -131,11 +144,8 @@ void Fleet::withdraw(std::uint32_t i) {
     stand_at_start(i);
 }
 
-void Fleet::put(std::uint32_t i, Path path) {
-    const Agent& agent = vehicles_[i].agent;
-    paths_[i] = agent.approach;
-    std::ranges::copy_if(path, std::back_inserter(paths_[i]),
-                         [&](const Waypoint& p) { return agent.approach.empty() || p.t > agent.ready_at; });
+void Fleet::put(std::uint32_t i, const Path& path) {
+    paths_[i] = after_approach(vehicles_[i].agent, path);
     traffic_.remove(i);
     traffic_.add(i, paths_[i], vehicles_[i].agent.body.reach(), rules_.at_goal == AtGoal::stay);
 }
@@ -160,7 +170,7 @@ void Fleet::skip_standstill() {
             for (const Times& times : skipped) saved += std::clamp(point.t, times.from, times.to) - times.from;
             before = point.t = std::max(before, point.t - saved);
         }
-        put(i, std::move(path));
+        put(i, path);
     }
 }
 

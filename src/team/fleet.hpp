@@ -22,11 +22,19 @@ struct Cost {
 // Whether a is better by more than rounding.
 bool better(const Cost& a, const Cost& b);
 
+// An empty path is that of a vehicle without one.
+Cost cost_of(std::span<const Vehicle> vehicles, std::span<const Path> paths, Objective objective);
+
 // A map with obstacles removed, and when those of them that stand at first are gone.
 struct Ground {
     OpenedMap map;
     std::vector<TimedOpening> openings = {};
 };
+
+// How a vehicle drives, nobody else being there.
+SafeIntervalOptions driving(const Ground& ground, const Vehicle& vehicle);
+// The path of an agent from when it is ready, and how it gets there.
+Path after_approach(const Agent& agent, std::span<const Waypoint> path);
 
 class Fleet {
   public:
@@ -39,7 +47,7 @@ class Fleet {
     const Path& path(std::uint32_t i) const { return paths_[i]; }
     double arrival(std::uint32_t i) const { return paths_[i].back().t; }
     bool has_path(std::uint32_t i) const { return !paths_[i].empty(); }
-    Cost cost() const;
+    Cost cost() const { return cost_of(vehicles_, paths_, rules_.objective); }
 
     // When it has to arrive by, at the latest, if the cost is not to become worse than that; those without a path will
     // arrive as early as if they were alone, at best.
@@ -51,7 +59,7 @@ class Fleet {
     // Takes its path away: it stands at its start for a while, in which the others leave it room.
     void withdraw(std::uint32_t i);
     // Gives it a path that keeps clear of all the others' and of nobody's start.
-    void put(std::uint32_t i, Path path);
+    void put(std::uint32_t i, const Path& path);
     // The vehicles that it would meet, were it to drive as if it were alone.
     std::vector<std::uint32_t> in_its_way(std::uint32_t i) const;
     // Leaves out the times at which all of them stand and nothing opens: one may wait for a start that was kept free

@@ -1,10 +1,12 @@
 #include "team/team.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "drive/centres.hpp"
 #include "model/objective.hpp"
+#include "safe_interval/driven.hpp"
 #include "team/in_lockstep.hpp"
 #include "team/neighbourhoods.hpp"
 #include "team/tuning.hpp"
@@ -55,7 +57,7 @@ void plan_all(const Ground& ground, const TeamPlan& plan, const Rules& rules, co
 // The objective if each vehicle arrived at that time of its own.
 double objective_of(std::span<const Vehicle> vehicles, double Vehicle::*arrival, Objective objective) {
     Finish finish;
-    for (const Vehicle& vehicle : vehicles) finish.add(AgentKind::ground, vehicle.*arrival);
+    for (const Vehicle& vehicle : vehicles) finish.add(vehicle.agent, vehicle.*arrival);
     return rank(objective, finish).first;
 }
 
@@ -63,12 +65,38 @@ double objective_of(std::span<const Vehicle> vehicles, double Vehicle::*arrival,
 void raise_bound(const OpenedMap& map, Vehicle& vehicle) {
     const Agent& agent = vehicle.agent;
     const double known = (vehicle.alone - agent.ready_at) * agent.speed;
-    if (!drives_by_crossing(agent.body) ||
+    if (vehicle.way.empty() || !drives_by_crossing(agent.body) ||
         known <= tuning::least_excess * (vehicle.bound - agent.ready_at) * agent.speed)
         return;
     const double least =
         least_through_centres(map, agent.start, agent.goal, agent.body, known, tuning::most_sight_lines);
     vehicle.bound = std::max(vehicle.bound, agent.ready_at + least / agent.speed);
+}
+
+// On its way as if it were alone, or at its start if it is not at its goal in time.
+Path alone_on_its_way(const Ground& ground, const Vehicle& vehicle, const Rules& rules) {
+    const Agent& agent = vehicle.agent;
+    const SafeIntervalOptions options = driving(ground, vehicle);
+    const double last = rules.unreached.value_or(std::numeric_limits<double>::infinity());
+    if (!vehicle.way.empty() && vehicle.way.back() == agent.goal) {
+        Path path = safe_interval::driven(ground.map.map(), vehicle.way, options);
+        if (path.back().t <= last) return path;
+    }
+    const Waypoint start{double(agent.start.x), double(agent.start.y), options.since};
+    return {start, {start.x, start.y, last}};
+}
+
+// Nobody is in anybody's way: each drives as if it were alone.
+TeamPlan drive_alone(const Ground& ground, TeamPlan plan, const Rules& rules, const Interrupts& interrupts,
+                     const Enough& enough, const std::function<void(const Cost&)>& improved) {
+    for (const Vehicle& vehicle : plan.vehicles) {
+        plan.paths.push_back(after_approach(vehicle.agent, alone_on_its_way(ground, vehicle, rules)));
+    }
+    plan.status = SearchStatus::found;
+    improved(cost_of(plan.vehicles, plan.paths, rules.objective));
+    enough(plan.vehicles);  // raises their bounds
+    plan.limited = interrupts.due() || std::ranges::any_of(plan.vehicles, &Vehicle::limited);
+    return plan;
 }
 
 }  // namespace
@@ -86,7 +114,9 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         if (agent.kind != AgentKind::ground) continue;
         plan.vehicles.emplace_back().agent = agent;
         plan.status = go_alone(map, ground.openings, interrupts, crossing, theta, plan.vehicles.back());
-        if (plan.status != SearchStatus::found) return plan;
+        count_unreached(mission.rules, plan.vehicles.back());
+        const bool may_stay = plan.status == SearchStatus::no_path && mission.rules.unreached;
+        if (plan.status != SearchStatus::found && !may_stay) return plan;
     }
     const auto enough = [&](std::span<Vehicle> vehicles) {
         const Deadline soon = interrupts.deadline.share(tuning::share_of_bounds);
@@ -105,6 +135,7 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
                     const std::function<void(const Cost&)>& improved) {
     TeamPlan plan;
     plan.vehicles = std::move(vehicles);
+    if (!rules.collisions) return drive_alone(ground, std::move(plan), rules, interrupts, enough, improved);
     Fleet fleet(ground, plan.vehicles, rules, interrupts);
     NeighbourhoodSearch search(fleet, interrupts);
     plan_all(ground, plan, rules, interrupts, fleet, search);

@@ -71,6 +71,13 @@ std::vector<Cell> cells_of(std::span<const Point> path) {
     return cells;
 }
 
+void count_unreached(const Rules& rules, Vehicle& vehicle) {
+    if (!rules.unreached) return;
+    const bool never = vehicle.way.empty();
+    vehicle.alone = never ? *rules.unreached : std::min(vehicle.alone, *rules.unreached);
+    vehicle.bound = never ? *rules.unreached : std::min(vehicle.bound, *rules.unreached);
+}
+
 SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,
                       CrossingSearcher& crossing, Searcher& theta, Vehicle& vehicle) {
     const Stopwatch watch;

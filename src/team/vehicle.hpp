@@ -52,6 +52,9 @@ Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts);
 // The cells of a path that bends at centres.
 std::vector<Cell> cells_of(std::span<const Point> path);
 
+// Who has no way counts as if it arrived at Rules::unreached, and so does who would arrive later.
+void count_unreached(const Rules& rules, Vehicle& vehicle);
+
 // Its shortest way, as in a mission of its own; or the earliest one found, where obstacles of those removed open late.
 // `found`: the vehicle is complete. Anything else is why it is not.
 SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,

@@ -70,6 +70,8 @@ export function city(): Scene {
     selected: 4100,
     time: null,
     old: false,
+    zones: [],
+    pointedZone: null,
     tool: "move",
     followed: null,
     editable: true,

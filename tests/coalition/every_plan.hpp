@@ -35,6 +35,8 @@ class Moves {
         }
     }
 
+    const Agent& agent() const { return agent_; }
+
     // The earliest arrival, by relaxing every move again and again.
     double arrival(const std::vector<double>& openings) const {
         std::vector<double> reached(cells_.size(), never);
@@ -151,15 +153,16 @@ class EveryPlan {
         double last = 0;
         for (std::size_t a = 0; a < aircraft_.size(); ++a) {
             const double home = times_[a] + distance(places_[a], aircraft_[a]->goal) / aircraft_[a]->speed;
-            sum += home;
+            sum += aircraft_[a]->weight * home;
             last = std::max(last, home);
         }
         const Objective objective = mission_.rules.objective;
         if (objective == Objective::ground_makespan) sum = last = 0;
         for (const Moves& moves : moves_) {
             if ((objective == Objective::flowtime ? sum : last) >= best_) return;
-            const double arrival = moves.arrival(openings);
-            sum += arrival;
+            const double arrival = std::min(moves.arrival(openings), mission_.rules.unreached.value_or(never));
+            if (arrival == never) return;
+            sum += moves.agent().weight * arrival;
             last = std::max(last, arrival);
         }
         best_ = std::min(best_, objective == Objective::flowtime ? sum : last);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <pugixml.hpp>
+#include <vector>
 
 #include "ascii_map.hpp"
 #include "exports/utc_time.hpp"
@@ -92,6 +94,36 @@ TEST_F(PlanKml, HasObstaclesUntilTheyOpenAndAfter) {
         EXPECT_NEAR(OGR_G_Area(OGRGeometry::ToHandle(shape)), map.square_metres(breach.cells), 0.1);
     }
     EXPECT_EQ(i, 2 * plan.breaches.size());
+}
+
+// With its hole, and corners off the map.
+TEST_F(PlanKml, HasZones) {
+    EXPECT_FALSE(read_kml(placed())->GetLayerByName("zones"));
+    const std::vector<Zone> zones{
+        {ZoneKind::no_fly, {{{-5, 10}, {60, 20}, {30, 90}}, {{20, 30}, {30, 30}, {30, 40}}}, "Charité", {"air"}},
+        {ZoneKind::keep_out, {{{200, 10}, {260, 20}, {230, 90}}}, "", {}}};
+    PlacedPlan zoned = placed();
+    zoned.zones = zones;
+    const auto file = read_kml(zoned);
+    OGRLayer* const layer = file->GetLayerByName("zones");
+    ASSERT_TRUE(layer);
+    std::size_t i = 0;
+    for (const OGRFeatureUniquePtr& feature : *layer) {
+        const Zone& zone = zones.at(i++);
+        EXPECT_EQ(feature->GetFieldAsString("Name"), zone.name.empty() ? "zone 2" : zone.name);
+        EXPECT_EQ(feature->GetFieldAsString("description"), std::string(i == 1 ? "no_fly for air" : "keep_out"));
+        const OGRPolygon& polygon = *feature->GetGeometryRef()->toPolygon();
+        EXPECT_EQ(std::size_t(polygon.getNumInteriorRings()) + 1, zone.polygon.size());
+        ASSERT_EQ(polygon.getExteriorRing()->getNumPoints(), 4);
+        for (const Point corner : zone.polygon.front()) {
+            bool found = false;
+            const auto [lon, lat] = geotiff::lon_lat_of(map.georeference)(corner);
+            for (const OGRPoint& point : *polygon.getExteriorRing())
+                found = found || std::hypot(point.getX() - lon, point.getY() - lat) < 1e-8;
+            EXPECT_TRUE(found) << corner.x << "," << corner.y;
+        }
+    }
+    EXPECT_EQ(i, 2U);
 }
 
 TEST_F(PlanKml, NeedsToKnowWhereTheMapLies) {

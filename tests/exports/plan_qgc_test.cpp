@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "input_error.hpp"
 #include "placed_town.hpp"
@@ -96,6 +97,34 @@ TEST_F(PlanQgc, IsFlownAsPlanned) {
     EXPECT_NEAR(clock, aircraft->path.back().t, 1e-3);
     EXPECT_LT(std::hypot(at.x - aircraft->path.back().x, at.y - aircraft->path.back().y), 1e-3);
     EXPECT_NEAR(mission.at("cruiseSpeed").get<double>(), speed * map.cell_size, 1e-9);
+}
+
+// Those that hold for it; a fence has no holes.
+TEST_F(PlanQgc, HasAFenceRoundZones) {
+    std::vector<Zone> zones{
+        {ZoneKind::no_fly, {{{10, 10}, {60, 20}, {30, 90}}, {{30, 30}, {32, 30}, {32, 40}}}, "", {}},
+        {ZoneKind::no_fly, {{{10, 10}, {60, 20}, {30, 90}}}, "", {"other"}},
+        {ZoneKind::keep_out, {{{10, 10}, {60, 20}, {30, 90}}}, "", {}}};
+    PlacedPlan zoned = flown();
+    EXPECT_TRUE(Json::parse(plan_qgc(zoned, "a.plan")[0].second).at("geoFence").at("polygons").empty());
+    zoned.zones = zones;
+    const std::string text = plan_qgc(zoned, "a.plan")[0].second;
+    read_flight(text);
+    const Json fences = Json::parse(text).at("geoFence").at("polygons");
+    ASSERT_EQ(fences.size(), 1U);
+    EXPECT_EQ(fences[0].at("inclusion"), false);
+    EXPECT_EQ(fences[0].at("version"), 1);
+    ASSERT_EQ(fences[0].at("polygon").size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Json& corner = fences[0].at("polygon")[i];
+        const Point cell = geotiff::FromLonLat(*map.georeference)({{corner[1], corner[0]}}).at(0);
+        EXPECT_LT(distance(cell, zones[0].polygon[0][i]), 1e-3);
+    }
+    const Waypoint& start = aircraft->path.front();
+    zones[0].polygon = {{{start.x - 9, start.y - 9}, {start.x + 9, start.y - 9}, {start.x, start.y + 9}},
+                        {{start.x - 2, start.y - 2}, {start.x + 2, start.y - 2}, {start.x, start.y + 2}}};
+    EXPECT_EQ(input_error([&] { plan_qgc(zoned, "a.plan"); }),
+              "QGroundControl: agent 'air' is in a hole of zone 1, and areas have no holes there; leave the hole out");
 }
 
 TEST_F(PlanQgc, HasTheCommandThatIsAskedFor) {

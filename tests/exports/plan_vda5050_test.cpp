@@ -88,6 +88,22 @@ TEST_F(PlanVda5050, HasAReleaseZoneForEachOpening) {
     EXPECT_EQ((std::array{left, right, low, high}), (std::array{1.0, 1.5, 2.5, 3.5}));
 }
 
+// Those that hold for the vehicle, behind what opens.
+TEST_F(PlanVda5050, HasABlockedZoneForEachThatItKeepsOutOf) {
+    const std::vector<Point> corners{{0, 1}, {1.5, 1}, {1, 2.5}};
+    const std::vector<Zone> zones{{ZoneKind::keep_out, {corners}, "yard", {"ground"}},
+                                  {ZoneKind::no_fly, {corners}, "", {}},
+                                  {ZoneKind::keep_out, {corners}, "", {"other"}}};
+    const Json bare = messages().at("zoneSets")[0].at("zoneSet");
+    const Json set =
+        Json::parse(plan_vda5050({.plan = plan, .map = map, .zones = zones}, mission)).at("zoneSets")[0].at("zoneSet");
+    EXPECT_NE(set.at("zoneSetId"), bare.at("zoneSetId"));
+    ASSERT_EQ(set.at("zones").size(), bare.at("zones").size() + 1);
+    EXPECT_EQ(set.at("zones").back(),
+              Json::parse(R"({"zoneId": "zone-1", "zoneType": "BLOCKED", "zoneDescriptor": "yard",
+        "vertices": [{"x": -0.75, "y": 3.25}, {"x": 0.0, "y": 3.25}, {"x": -0.25, "y": 2.5}]})"));
+}
+
 // Who stands before the crate at first has an order that lets it go nowhere, and is the same to the vehicle on every
 // day.
 TEST_F(PlanVda5050, LetsWhoMustWaitStandAtItsStart) {

@@ -43,6 +43,7 @@ MissionDocument any_document() {
                                            .start = {*number(-3, 9), *number(0, 9)},
                                            .goal = {*number(0, 9), *number(0, 9)},
                                            .speed = *rc::gen::element(1.0, 0.1, 3e5)});
+        document.mission.agents.back().weight = *rc::gen::element(1.0, 0.0, 2.5);
         if (kind == AgentKind::air) document.mission.agents.back().breaches = *rc::gen::element(any_number, 0, 3);
         if (kind == AgentKind::ground)
             document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
@@ -57,6 +58,8 @@ MissionDocument any_document() {
         .timing = *rc::gen::element(Timing::enforce, Timing::ignore),
         .objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan)};
     if (*rc::gen::arbitrary<bool>()) document.mission.rules.opened = {{{4}, 0}, {{2}, 12.25}};
+    document.mission.rules.collisions = *rc::gen::arbitrary<bool>();
+    document.mission.rules.unreached = *rc::gen::element(std::optional<double>(), std::optional(600.5));
     document.method = {.select = *rc::gen::element(Selection::exact, Selection::hits),
                        .flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest),
                        .planner = *rc::gen::element(Algorithm::optimal, Algorithm::theta, Algorithm::jps),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "random_map.hpp"
 #include "vehicle.hpp"
@@ -44,14 +45,36 @@ struct Underway {
     State state = {};
 };
 
+// Triangles to pentagons whose corners are at centres, sides and corners of cells.
+inline std::vector<Zone> some_zones(int side) {
+    std::vector<Zone> zones;
+    const int count = *number(1, 3);
+    for (int i = 0; i < count; ++i) {
+        Zone zone{.kind = *rc::gen::element(ZoneKind::no_fly, ZoneKind::no_fly, ZoneKind::keep_out)};
+        std::vector<Point>& ring = zone.polygon.emplace_back();
+        const Point middle(*number(0, 2 * side) / 2.0, *number(0, 2 * side) / 2.0);
+        const int corners = *number(3, 5);
+        for (int k = 0; k < corners; ++k)
+            ring.emplace_back(middle.x + *number(-side / 2, side / 2) / 2.0,
+                              middle.y + *number(-side / 2, side / 2) / 2.0);
+        try {
+            validate(zone, 1);
+            zones.push_back(zone);
+        } catch (const InputError&) {
+        }
+    }
+    return zones;
+}
+
 // One that has a plan, before it begins.
-inline Underway any_planned(int side, int most_vehicles, int most_retries) {
+inline Underway any_planned(int side, int most_vehicles, int most_retries, bool zoned = false) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, most_vehicles, most_retries)};
+    if (zoned) drawn.mission.rules.zones = some_zones(side);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
-        RC_DISCARD("two stand too near");
+        RC_DISCARD("two stand too near, or in a zone");
     }
     drawn.plan = Planner().plan(drawn.map, drawn.mission);
     RC_PRE(drawn.plan.status == PlanStatus::solved);
@@ -59,13 +82,42 @@ inline Underway any_planned(int side, int most_vehicles, int most_retries) {
 }
 
 // Some time after it began; nothing is reported but that.
-inline Underway any_underway(int side) {
-    Underway drawn = any_planned(side, 2, 1);
+inline Underway any_underway(int side, bool zoned = false) {
+    Underway drawn = any_planned(side, 2, 1, zoned);
     double last = 0;
     for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
     drawn.state.sequence = 1;
     drawn.state.now = last * *number(0, 100) / 100;
     return drawn;
+}
+
+// Agents that are late, lost or have stopped, cells that are blocked.
+inline void report_any_news(Underway& mission) {
+    State& state = mission.state;
+    for (const Itinerary& agent : mission.plan.agents) {
+        if (mostly()) continue;
+        AgentState& said = state.agents.emplace_back();
+        said.id = agent.id;
+        // Late: where it was a while ago.
+        const double late = *rc::gen::element(0.0, 0.5, 3.0);
+        const double then = std::max(state.now - late, agent.path.front().t);
+        std::size_t next = 0;
+        while (next < agent.path.size() && agent.path[next].t <= then) ++next;
+        said.passed = next - 1;
+        const Waypoint& a = agent.path[next - 1];
+        said.at = Point(a.x, a.y);
+        if (next < agent.path.size()) {
+            const Waypoint& b = agent.path[next];
+            const double share = (then - a.t) / (b.t - a.t);
+            said.at = Point(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+        }
+        if (agent.kind == AgentKind::air && *number(0, 3) == 0) said.doing = Doing::lost;
+        if (agent.kind == AgentKind::ground && *number(0, 7) == 0) said.doing = Doing::stopped;
+    }
+    if (mostly()) {
+        const Cell cell{*number(0, mission.map.width() - 1), *number(0, mission.map.height() - 1)};
+        state.found.push_back({{cell}, true, *rc::gen::arbitrary<bool>()});
+    }
 }
 
 }  // namespace waybreaker

@@ -22,8 +22,8 @@ namespace {
 
 using Rehearsable = Underway;
 
-Rehearsable any_rehearsable(int side, int most_vehicles) {
-    return any_planned(side, most_vehicles, 2);
+Rehearsable any_rehearsable(int side, int most_vehicles, bool zoned = false) {
+    return any_planned(side, most_vehicles, 2, zoned);
 }
 
 RehearsalOptions any_options() {
@@ -56,8 +56,8 @@ double steps(const Rehearsable& drawn) {
     return later;
 }
 
-RC_GTEST_PROP(Rehearse, WithoutDrawsIsNoLaterThanPlanned, ()) {
-    const Rehearsable drawn = any_rehearsable(14, 3);
+RC_GTEST_PROP(Rehearse, WithoutDrawsIsNoLaterThanPlanned, (bool zoned)) {
+    const Rehearsable drawn = any_rehearsable(14, 3, zoned);
     const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
     RC_ASSERT(faults(rehearsal) == "");
     RC_ASSERT(rehearsal.arrived == 1);
@@ -66,8 +66,7 @@ RC_GTEST_PROP(Rehearse, WithoutDrawsIsNoLaterThanPlanned, ()) {
     RC_ASSERT(rehearsal.ground_makespan.worst <= rehearsal.ground_planned * (1 + 1e-9) + later);
 }
 
-RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
-    const Rehearsable drawn = any_rehearsable(14, 3);
+void expect_legal(const Rehearsable& drawn) {
     const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, any_options());
     int revised = 0;
     for (const Rehearsed& run : rehearsal.runs) revised += run.revisions > 0 ? 1 : 0;
@@ -75,6 +74,14 @@ RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
     RC_CLASSIFY(rehearsal.arrived == 0, "none arrives");
     RC_CLASSIFY(revised > 0, "some are revised");
     RC_ASSERT(faults(rehearsal) == "");
+}
+
+RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
+    expect_legal(any_rehearsable(14, 3));
+}
+
+RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereThereAreZones, ()) {
+    expect_legal(any_rehearsable(14, 3, true));
 }
 
 // As after a breach that has failed when the aircraft was about to leave.
@@ -154,6 +161,19 @@ TEST(Rehearse, AnOrderThatIsMissingIsSeen) {
         std::erase_if(plan.orders, [&](const Order& order) { return order.reason == reason; });
         ASSERT_LT(plan.orders.size(), drawn.plan.orders.size()) << to_string(reason);
         EXPECT_GT(rehearse(drawn.map, drawn.mission, plan, options).illegal, 0) << to_string(reason);
+    }
+}
+
+// Nor does it miss what a plan without zones leads through.
+TEST(Rehearse, AnAgentInAZoneIsSeen) {
+    Rehearsable drawn = crossing();
+    const Zone zone{.polygon = {{{2, -0.5}, {5, -0.5}, {5, 3.5}, {2, 3.5}}}, .name = "park"};
+    for (const ZoneKind kind : {ZoneKind::no_fly, ZoneKind::keep_out}) {
+        drawn.mission.rules.zones = {zone};
+        drawn.mission.rules.zones.front().kind = kind;
+        const Rehearsed run = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1}).runs.front();
+        EXPECT_EQ(run.illegal, kind == ZoneKind::no_fly ? 1 : 2);
+        EXPECT_NE(run.fault.find("is in the zone 'park' between"), std::string::npos) << run.fault;
     }
 }
 

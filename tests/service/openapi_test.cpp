@@ -157,6 +157,9 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.in_seconds = true;
     document.mission.rules.separation = 0.5;
     document.mission.rules.at_goal = AtGoal::leave;
+    document.mission.rules.collisions = false;
+    document.mission.rules.unreached = 600;
+    document.mission.agents[0].weight = 40;
     document.mission.agents[0].ready_at = 3;
     document.mission.agents[0].approach = {{0, 1, 2}, {0, 0, 3}};
     document.mission.agents[1].from = Point(0.25, 0.5);

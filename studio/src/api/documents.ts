@@ -3,6 +3,7 @@ import type { AgentDocument } from "../domain/agent_document";
 import type { Cell, Point } from "../domain/geometry";
 import type { AtGoal } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
+import type { ZoneCollection } from "../domain/zone";
 
 export interface MapEntry {
   id: string;
@@ -20,7 +21,7 @@ export interface MissionDocument {
   format: "waybreaker-mission/1";
   time_unit?: "s"; // on maps with metres
   agents: AgentDocument[];
-  rules: { separation: number; at_goal: AtGoal };
+  rules: { separation: number; at_goal: AtGoal; zones?: ZoneCollection };
 }
 
 // What has happened to a plan ("waybreaker-state/1", docs/live.md).

@@ -4,6 +4,7 @@ import type { Also, Method } from "./also";
 import type { Cell, Run } from "./geometry";
 import type { Objective } from "./plan";
 import type { TagFilter } from "./tag_filter";
+import type { Zone } from "./zone";
 
 // A way to end up at the goal: what the layers of the map are.
 export type LayerName = "before" | "after" | "paper";
@@ -36,6 +37,7 @@ export interface Mission {
   protectAll: readonly TagFilter[]; // beside what is marked: all obstacles that any of these means
   walls: readonly Run[]; // drawn
   erased: readonly Run[];
+  zones: readonly Zone[];
   also: Also; // what there is no control for
   layers: readonly LayerName[];
   time: number | null; // where playback stands
@@ -54,6 +56,7 @@ export const defaults = {
   protectAll: [] as readonly TagFilter[],
   walls: [] as readonly Run[],
   erased: [] as readonly Run[],
+  zones: [] as readonly Zone[],
   also: {} as Also,
   layers: ["before", "after"] as readonly LayerName[],
   time: null,

@@ -8,13 +8,14 @@ import type { Background, MapDescription } from "./map";
 import type { LayerName, Mark } from "./mission";
 import type { Plan } from "./plan";
 import type { Rehearsed } from "./rehearsed";
+import type { Zone } from "./zone";
 
 export interface Layer {
   name: LayerName;
   plan: Plan;
 }
 
-export type Tool = "move" | "wall" | "erase" | "rubble";
+export type Tool = "move" | "wall" | "erase" | "zone" | "rubble";
 
 export interface Scene {
   map: MapDescription;
@@ -26,6 +27,8 @@ export interface Scene {
   layers: Layer[]; // those shown; the last is on top
   marks: ReadonlyMap<number, Mark>; // by obstacle
   ruled: Ruled; // what is protected by tag or name
+  zones: readonly Zone[];
+  pointedZone: number | null; // pointed at in a list
   highlighted: number | null; // obstacle pointed at in a table
   selected: number | null; // obstacle whose card is open
   old: boolean; // whether the layers answer another mission than the markers show
@@ -51,6 +54,7 @@ export interface SceneEvents {
   choose(agent: number): void; // a click on a marker of it
   hover(obstacle: number | null): void;
   draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
+  outline(corners: readonly Point[], done: boolean): void; // of a zone, with each corner; `done` when it is closed
   // While rubble is held over the map, once for each cell it comes to; `done` when it is dropped. Null: it is not.
   drop(at: Cell | null, done: boolean): void;
   // What can be done with what is there is asked for; whether anything can.

@@ -7,6 +7,7 @@ import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
 import { Sketch } from "./interaction/sketch";
 import { cellAt, nearestFree, onMap } from "./interaction/snap";
+import { ZoneSketch } from "./interaction/zone_sketch";
 import { LabelLayer } from "./labels/label_layer";
 import { drawCross, drawGrid, drawGround, drawNothing } from "./layers/base_layer";
 import { breachAt, drawEvents, roomBesideEvents } from "./layers/event_layer";
@@ -18,6 +19,7 @@ import { faint, PathLayer } from "./layers/path_layer";
 import { agentsAt } from "./layers/playing_agents";
 import { drawRehearsalSigns, RehearsalLayer } from "./layers/rehearsal_layer";
 import { drawScaleBar } from "./layers/scale_bar";
+import { drawZones } from "./layers/zone_layer";
 import { FeatureIndex } from "./tiles/ground_features";
 import { TileCache } from "./tiles/tile_cache";
 import { TilePainter } from "./tiles/tile_painter";
@@ -45,6 +47,7 @@ export class MapView implements GestureTarget {
   readonly #paths = new PathLayer();
   readonly #rehearsal = new RehearsalLayer();
   readonly #sketch = new Sketch();
+  readonly #outline = new ZoneSketch();
 
   #scene: Scene | null = null;
   #ground: FeatureIndex | null = null;
@@ -81,6 +84,7 @@ export class MapView implements GestureTarget {
       this.#newTiles(true);
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
+    if (scene.tool !== "zone" && this.#outline.corners.length > 0) this.#setOutline(() => this.#outline.drop());
     if (scene.followed) this.#viewpoint.follow(scene.followed, before?.followed == null);
     this.#surface.ask();
   }
@@ -140,6 +144,7 @@ export class MapView implements GestureTarget {
   grab(at: Point): "pan" | "drag" | "draw" {
     const scene = this.#scene;
     if (!scene) return "pan";
+    if (scene.tool === "zone") return "pan";
     if (scene.tool !== "move") return "draw";
     const spot = scene.editable ? spotAt(this.#spots(), at) : null;
     if (!spot) return "pan";
@@ -165,7 +170,8 @@ export class MapView implements GestureTarget {
     const spot = at && scene.editable && scene.tool === "move" ? spotAt(this.#spots(), at) : null;
     const obstacle = at && !spot ? this.#obstacleAt(at) : null;
     this.#surface.cursor = scene.tool !== "move" ? "crosshair" : spot ? "grab" : obstacle ? "pointer" : "";
-    if (scene.tool !== "move") this.#sketch.hover(at);
+    if (scene.tool === "zone") this.#outline.hover(at && this.#toMap(at));
+    else if (scene.tool !== "move") this.#sketch.hover(at);
     if (scene.tool !== "move") this.#surface.ask();
     if (obstacle === this.#hovered) return;
     this.#hovered = obstacle;
@@ -173,9 +179,15 @@ export class MapView implements GestureTarget {
   }
 
   click(at: Point): void {
+    if (this.#scene?.tool === "zone") return this.#setCorner(at);
     if (this.#scene?.tool !== "move") return;
     const obstacle = this.#obstacleAt(at);
     this.events.select(obstacle, obstacle === null ? null : cellAt(this.#toMap(at)));
+  }
+
+  // The second click of two has closed an outline.
+  doubleClick(at: Point, outwards: boolean): void {
+    if (this.#scene?.tool !== "zone") this.zoomBy(outwards ? 0.5 : 2, at, true);
   }
 
   dragTo(at: Point, done: boolean): void {
@@ -195,7 +207,7 @@ export class MapView implements GestureTarget {
 
   drawTo(at: Point, done: boolean): void {
     const scene = this.#scene;
-    if (!scene || scene.tool === "move") return;
+    if (!scene || scene.tool === "move" || scene.tool === "zone") return;
     if (scene.tool === "rubble") return this.#holdRubble(scene, at, done);
     this.#sketch.add(this.#toMap(at), this.#viewpoint.camera.scale);
     if (done) {
@@ -234,8 +246,24 @@ export class MapView implements GestureTarget {
     this.click([this.#surface.view.width / 2, this.#surface.view.height / 2]);
   }
 
+  takeBack(): void {
+    if (this.#scene?.tool === "zone") this.#setOutline(() => this.#outline.takeBack());
+  }
+
   escape(): void {
+    if (this.#outline.corners.length > 0) return this.#setOutline(() => this.#outline.drop());
     this.events.select(null, null);
+  }
+
+  #setCorner(at: Point): void {
+    this.#setOutline(() => this.#outline.add(this.#toMap(at), this.#viewpoint.camera.scale));
+  }
+
+  // `change` gives an outline that is closed.
+  #setOutline(change: () => Point[] | null | void): void {
+    const closed = change();
+    this.events.outline(closed ?? this.#outline.corners, Boolean(closed));
+    this.#surface.ask();
   }
 
   #holdRubble(scene: Scene, at: Point, done: boolean): void {
@@ -299,6 +327,7 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
+    drawZones(frame, scene);
     if (scene.rehearsed) this.#rehearsal.draw(frame, scene, scene.rehearsed);
     else this.#paths.draw(frame, scene);
     const moreLabels = this.#labels.draw(frame, scene, roomBesideEvents(frame, scene, this.#spots()));
@@ -308,6 +337,7 @@ export class MapView implements GestureTarget {
     if (scene.rehearsed) drawRehearsalSigns(frame, scene, scene.rehearsed);
     drawMarkers(frame, scene, this.#spots(), this.#dragged?.spot.handle ?? this.#focused);
     this.#sketch.draw(frame, scene);
+    if (scene.tool === "zone") this.#outline.draw(frame, theme.ink);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map);
     const moreTiles = this.#tiles.paintMissing(until);

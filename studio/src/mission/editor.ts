@@ -24,6 +24,7 @@ import {
 } from "../domain/mission";
 import type { Tool } from "../domain/scene";
 import { filterText, ruledObstacles, type TagFilter } from "../domain/tag_filter";
+import { renamedIn } from "../domain/zone";
 import { drawn } from "./edited";
 import { endGesture, type History, redo, step, undo } from "./history";
 import type { PageState } from "./page_state";
@@ -90,7 +91,8 @@ export class Editor {
     const [id, agents] = [name.trim(), this.page.mission.value?.agents ?? []];
     if (id === "" || id === agents[agent]?.id) return;
     if (agents.some((one) => one.id === id)) return this.page.notify("bad", `Another agent is called “${id}”.`);
-    this.changeAgent(agent, { id });
+    const zones = (mission: Mission) => renamedIn(mission.zones, agents[agent]!.id, id);
+    this.change((mission) => ({ ...mission, agents: changed(mission.agents, agent, { id }), zones: zones(mission) }));
   }
 
   addVehicle(): void {
@@ -111,7 +113,8 @@ export class Editor {
     const agents = this.page.mission.value?.agents ?? [];
     if (agents[agent]?.kind === "ground" && vehiclesOf(agents).length === 1) return;
     this.page.chosenAgent.value = null;
-    this.change((mission) => ({ ...mission, agents: left(mission.agents, agent) }));
+    const zones = (mission: Mission) => renamedIn(mission.zones, agents[agent]!.id, null);
+    this.change((mission) => ({ ...mission, agents: left(mission.agents, agent), zones: zones(mission) }));
   }
 
   #join(one: MissionAgent): void {

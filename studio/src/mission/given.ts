@@ -42,7 +42,13 @@ async function isMapData({ name, bytes }: KeptFile): Promise<boolean> {
   if (head[0] === 0x1f && head[1] === 0x8b) return true; // no map is packed with gzip
   const text = new TextDecoder().decode(head);
   if (text.includes("OSMHeader") || /<osm[\s>]/.test(text)) return true;
-  return /^\s*\{/.test(text) && (/\.geojson$/i.test(name) || /"type"\s*:\s*"Feature(Collection)?"/.test(text));
+  if (!/^\s*\{/.test(text) || (bytes.size <= mostText && isOurs(await bytes.text()))) return false;
+  return /\.geojson$/i.test(name) || /"type"\s*:\s*"Feature(Collection)?"/.test(text);
+}
+
+// Missions and plans have zones as GeoJSON.
+function isOurs(text: string): boolean {
+  return /"format"\s*:\s*"waybreaker-/.test(text);
 }
 
 // Of map data whether it is GeoJSON that knows no buildings.

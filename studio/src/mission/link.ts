@@ -15,6 +15,7 @@ import {
   wallKey,
 } from "../domain/mission";
 import { filtersText, parseTagFilters } from "../domain/tag_filter";
+import { parseZones, zonesText } from "../domain/zone";
 import { decodeAgents, encodeAgents } from "./agent_code";
 import { decodeRuns, encodeRuns } from "./run_code";
 import { clipped } from "./run_set";
@@ -53,6 +54,7 @@ export function encodeLink(mission: Mission, width: number, usualRadius: number 
   if (Object.keys(mission.also).length > 0) query.push(["also", alsoText(mission.also)]);
   if (mission.walls.length > 0) query.push(["walls", encodeRuns(mission.walls)]);
   if (mission.erased.length > 0) query.push(["erased", encodeRuns(mission.erased)]);
+  if (mission.zones.length > 0) query.push(["zones", zonesText(mission.zones)]);
   if (mission.layers.join() !== defaults.layers.join()) query.push(["show", mission.layers.join()]);
   if (mission.time !== null) query.push(["time", String(Math.round(mission.time * 100) / 100)]);
   // Commas and colons need no escape in a query, and are easier to read without.
@@ -164,6 +166,7 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
       (runs) => (mission[name] = runs),
     );
   }
+  take("zones", parseZones, (zones) => (mission.zones = zones));
   take("show", layersOf, (layers) => (mission.layers = layers));
   take(
     "time",

@@ -6,6 +6,7 @@ import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/a
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
 import { secondsPerUnit } from "../domain/units";
+import { zoneCollection, zonesOf, zonesText } from "../domain/zone";
 import { holdsMission } from "./address";
 import { agentsInQuery, encodeLink } from "./link";
 
@@ -58,6 +59,7 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
       objective: mission.objective,
       separation: mission.separation,
       at_goal: mission.atGoal,
+      ...(mission.zones.length > 0 && { zones: zoneCollection(mission.zones) }),
     },
     method: only(said, alsoNames.method),
     page: pageOf(mission, map),
@@ -86,7 +88,7 @@ function only(said: Also, names: readonly string[]): Also {
 function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<string, string | number> {
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
-  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "also"];
+  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "zones", "also"];
   for (const name of [...agentsInQuery(mission.agents, null).keys(), "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
@@ -121,6 +123,8 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
     const ids = [idsIn(rules[mark]), page[mark]].flat().filter((one) => one !== undefined);
     if (ids.length > 0) query.set(mark, ids.join());
   }
+  const zones = zonesOf(rules.zones);
+  if (zones && zones.length > 0) query.set("zones", zonesText(zones));
   const all = textsIn(rules.protect);
   if (all.length > 0) query.set("protect_all", inOne(all));
   return { query: query.toString(), leftOut: leftOut(document) };
@@ -154,7 +158,7 @@ function cornersOf(agents: readonly Partial<AgentDocument>[]): string | null {
 }
 
 const known = {
-  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "objective", "separation", "at_goal", ...alsoNames.rules],
+  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "objective", "separation", "at_goal", "zones", ...alsoNames.rules],
   method: ["bound", "explain", ...alsoNames.method],
 };
 
@@ -169,11 +173,12 @@ export function leftOut(
   return [
     ...objectsIn(overlays).map(({ file, as }) => `the overlay ${file}: drop that file on the page, and lay it over the map as ${as}`),
     ...of(rules, known.rules),
+    ...(rules.zones !== undefined && zonesOf(rules.zones) === null ? ["zones, which are not in cells"] : []),
     ...of(method, known.method),
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
-    ...(says("breaches", "ground") ? ["breaches, which only aircraft have"] : []),
+    ...(says("breaches", "ground") ? ["breaches of vehicles"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

@@ -47,6 +47,7 @@ export class PageState {
   readonly loading = signal(true); // a map is on its way
   readonly selected = signal<number | null>(null);
   readonly highlighted = signal<number | null>(null);
+  readonly pointedZone = signal<number | null>(null); // in a list: its place in the mission's
   readonly chosenAgent = signal<number | null>(null); // its place in the mission's list
   // What was last asked to be shown; the map moves there if it is off the picture. Each time another object.
   readonly sight = signal<{ what: Sight } | null>(null);

@@ -5,6 +5,7 @@ import { alsoOf } from "../domain/also";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
 import { isTeam, paceOf, type Plan } from "../domain/plan";
 import { secondsPerUnit } from "../domain/units";
+import { zonesOf } from "../domain/zone";
 import { isObject, leftOut } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {
@@ -42,6 +43,7 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
     breachTimePerCell: scaled(options.breach_time_per_cell ?? 0, scale.seconds),
     separation: Number(rules.separation ?? defaults.separation),
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
+    zones: zonesOf(rules.zones) ?? [],
     also: alsoOf(saidOf(plan), method, options.removals ?? defaults.removals),
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),
   };

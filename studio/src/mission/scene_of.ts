@@ -38,6 +38,8 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     layers,
     marks,
     ruled: page.ruled.value,
+    zones: mission.zones,
+    pointedZone: page.pointedZone.value,
     highlighted: page.highlighted.value,
     selected: page.selected.value,
     old: page.old.value,

@@ -17,10 +17,12 @@ import { Overlays } from "./overlays";
 import { PageState } from "./page_state";
 import { PlanFollower } from "./plan_follower";
 import { ServerWatch } from "./server_watch";
+import { ZoneEditor } from "./zone_editor";
 
 export class Studio {
   readonly page: PageState;
   readonly editor: Editor;
+  readonly zones: ZoneEditor;
   readonly maps: MapDesk;
   readonly importer: Importer;
   readonly overlays: Overlays;
@@ -49,6 +51,7 @@ export class Studio {
       follow: () => this.#follower.follow(),
       travel: (how) => this.maps.travel(how),
     });
+    this.zones = new ZoneEditor(this.page, this.editor);
     this.importer = new Importer(client, (map, file) => this.maps.openMade(map, file));
     this.overlays = new Overlays(client, (map, file) => this.maps.openOverlaid(map, file));
     this.rehearsal = new Rehearsal(client, {

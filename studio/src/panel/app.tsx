@@ -39,6 +39,7 @@ import { Search } from "./search";
 import { Settings } from "./settings";
 import { TakeAlong } from "./take_along";
 import { Tools } from "./tools";
+import { Zones } from "./zones";
 
 interface AppProps {
   page: PageState;
@@ -69,6 +70,7 @@ export function App({ page, studio = null, token = null }: AppProps) {
         <Removals page={page} studio={studio} />
         {!page.rehearsed.value && <RemovedTable page={page} studio={studio} />}
         <AgentList page={page} studio={studio} />
+        <Zones page={page} studio={studio} />
         {studio && <Choices studio={studio} />}
         <Layers page={page} studio={studio} />
         {studio && <Settings studio={studio} />}
@@ -115,6 +117,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       hover: (obstacle) => (page.highlighted.value = obstacle),
       choose: (agent) => (page.chosenAgent.value = agent),
       draw: (tool, runs) => studio?.editor.draw(tool, runs),
+      outline: (corners, done) => studio?.zones.outline(corners, done),
       drop: (at, done) => studio && dropRubble(studio, at, done),
       ask: (what, at) => {
         const isAny = studio !== null && mishapsAt(studio, what).length > 0;

@@ -7,7 +7,7 @@ import { IconButton } from "./controls";
 import { HelpDialog } from "./dialogs";
 import { Sign } from "./icons";
 
-const toolKeys: Record<string, Tool> = { m: "move", w: "wall", e: "erase", r: "rubble" };
+const toolKeys: Record<string, Tool> = { m: "move", w: "wall", e: "erase", z: "zone", r: "rubble" };
 
 export function Header({ studio }: { studio: Studio | null }) {
   const [help, setHelp] = useState(false);

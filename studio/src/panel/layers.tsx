@@ -2,11 +2,13 @@
 import type { LayerName } from "../domain/mission";
 import { valueOf } from "../domain/plan";
 import { durations } from "../domain/units";
+import { zoneKinds, zoneWords } from "../domain/zone";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { counted, noWay, tooEarly } from "../mission/words";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
+import { ZoneSample } from "./zones";
 
 const layers: { name: LayerName; title: string }[] = [
   { name: "after", title: "After" },
@@ -87,6 +89,12 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
           </svg>
           removed
         </span>
+        {zoneKinds.filter((kind) => mission.zones.some((zone) => zone.kind === kind)).map((kind) => (
+          <span key={kind}>
+            <ZoneSample kind={kind} />
+            {zoneWords({ kind, name: "" }).toLowerCase()}
+          </span>
+        ))}
       </p>
     </Section>
   );

@@ -15,6 +15,7 @@ const tools: ToolChoice[] = [
   { value: "move", label: "Move", icon: "move" },
   { value: "wall", label: "Draw wall", icon: "wall" },
   { value: "erase", label: "Erase", icon: "erase" },
+  { value: "zone", label: "Zone", icon: "zone" },
 ];
 
 export function Tools({ studio }: { studio: Studio }) {
@@ -27,6 +28,30 @@ export function Tools({ studio }: { studio: Studio }) {
         value={studio.editor.tool.value}
         onChange={(tool) => (studio.editor.tool.value = tool)}
       />
+      {studio.editor.tool.value === "zone" && <ZoneTool studio={studio} />}
+    </div>
+  );
+}
+
+// Whom the zone is for that is drawn next, and how it is drawn.
+function ZoneTool({ studio }: { studio: Studio }) {
+  const { kind, corners } = studio.zones;
+  const count = corners.value;
+  const begun = count < 3 ? "corner by corner" : "click the first corner again to close it";
+  return (
+    <div class="zone-tool">
+      <Segmented
+        legend="Who keeps out"
+        choices={[
+          { value: "no_fly", label: "Aircraft keep out" },
+          { value: "keep_out", label: "Vehicles keep out" },
+        ]}
+        value={kind.value}
+        onChange={(chosen) => (kind.value = chosen)}
+      />
+      <p role="status">
+        {count === 0 ? "Click the corners of the zone." : `${count === 1 ? "1 corner" : `${count} corners`}: ${begun}.`}
+      </p>
     </div>
   );
 }

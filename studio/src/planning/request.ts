@@ -7,6 +7,7 @@ import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 import { filterText, type TagFilter } from "../domain/tag_filter";
 import type { Units } from "../domain/units";
+import { zoneCollection } from "../domain/zone";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
 export interface Question {
@@ -55,8 +56,8 @@ export function questionOf(
   };
 }
 
-function documentOf({ agents, separation, atGoal }: Mission, units: Units): PlanRequest["mission"] {
-  const rules = { separation, at_goal: atGoal };
+function documentOf({ agents, separation, atGoal, zones }: Mission, units: Units): PlanRequest["mission"] {
+  const rules = { separation, at_goal: atGoal, ...(zones.length > 0 && { zones: zoneCollection(zones) }) };
   const unit = units.metric ? { time_unit: "s" as const } : {};
   return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
 }

@@ -2,6 +2,7 @@
 import { expect, it } from "vitest";
 import { changed } from "../../src/domain/agents";
 import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
+import { zoneCollection } from "../../src/domain/zone";
 import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
 import { decodeLink, encodeLink } from "../../src/mission/link";
@@ -23,6 +24,10 @@ it("tells maps, plans and missions apart by what is in them", async () => {
   expect(await kindOf(file("a.xml", "<map>see http://x.org/#map=a</map>"))).toBe("map");
   expect(await kindOf(file("p.txt", JSON.stringify(planOf({ after: 9 }))))).toBe("plan");
   expect(await kindOf(file("m.json", missionFile(yard, tenWide, 3)))).toBe("mission file");
+  const zones = [{ kind: "no_fly", name: "", agents: [], rings: [[[0, 0], [4, 0], [4, 4]]] }] satisfies Mission["zones"];
+  expect(await kindOf(file("m.json", missionFile({ ...yard, zones }, tenWide, 3)))).toBe("mission file");
+  const { features } = zoneCollection(zones);
+  expect(await kindOf(file("z.json", JSON.stringify({ type: "FeatureCollection", features })))).toBe("shapes");
   expect(await kindOf(file("m.url", `[InternetShortcut]\nURL=http://localhost:8080/#${query}\n`))).toBe("mission");
 });
 
@@ -236,7 +241,7 @@ it("a mission file says what is left out of it", () => {
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
-    "breaches, which only aircraft have",
+    "breaches of vehicles",
   ]);
 });
 

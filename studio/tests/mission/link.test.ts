@@ -52,6 +52,10 @@ describe("link", () => {
     ["also=budget:x", "also"],
     ["also=toString:1", "also"],
     ["also=timing:late", "also"],
+    ["zones=no_fly:a::1,2,3,4", "zones"],
+    ["zones=no_fly:a::1,2,3,4,5,x", "zones"],
+    ["zones=park:a::1,2,3,4,5,6", "zones"],
+    ["zones=no_fly:%25E0%25A4:a:1,2,3,4,5,6", "zones"],
   ])("says what cannot be read in %s and takes the usual", (query, name) => {
     const { mission, complaints } = decodeLink(query, "m", markers, width, height);
     expect(complaints).toHaveLength(1);
@@ -61,7 +65,7 @@ describe("link", () => {
 
   it("survives any text", () => {
     const random = new Random(2);
-    const names = ["start", "walls", "erased", "protect", "removals", "time", "show", "radius", "map"];
+    const names = ["start", "walls", "erased", "protect", "removals", "time", "show", "radius", "map", "zones"];
     for (let i = 0; i < 500; ++i) {
       const noise = Array.from({ length: random.below(40) }, () => String.fromCharCode(random.below(300))).join("");
       decodeLink(`${random.oneOf(names)}=${noise}`, "m", markers, width, height);

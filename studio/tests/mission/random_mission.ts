@@ -1,7 +1,8 @@
 // Missions with everything that one can say.
 import { type Agents, hasPaperMethod, type MissionAgent, usualId } from "../../src/domain/agents";
-import type { Cell, Run } from "../../src/domain/geometry";
+import type { Cell, Point, Run } from "../../src/domain/geometry";
 import { type LayerName, type Mark, type Mission, wallKey } from "../../src/domain/mission";
+import type { Zone } from "../../src/domain/zone";
 import { union } from "../../src/mission/run_set";
 import { type Random } from "./random";
 
@@ -40,6 +41,17 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
   return [...vehicles, ...aircraft];
 }
 
+function randomZones(random: Random): Zone[] {
+  const point = (): Point => [random.below(2 * width) / 2 - 20, random.below(2 * height) / 2];
+  const ring = () => Array.from({ length: 3 + random.below(5) }, point);
+  return Array.from({ length: random.below(3) }, (): Zone => ({
+    kind: random.oneOf(["no_fly", "keep_out"] as const),
+    name: random.oneOf(["", "helipad", "a;b:c/d,e & 100 % ü"]),
+    agents: random.oneOf([[], [], ["air"], ["truck,~%é& ", "b:c"]]),
+    rings: Array.from({ length: 1 + random.below(2) }, ring),
+  }));
+}
+
 export function randomMission(random: Random): Mission {
   const cell = (): Cell => [random.below(width), random.below(height)];
   const key = () => (random.chance(0.8) ? 1 + random.below(5000) : wallKey(cell(), width));
@@ -65,6 +77,7 @@ export function randomMission(random: Random): Mission {
     walls: randomRuns(random),
     also: random.oneOf([{}, {}, { budget_m2: 300.5, moves: 4 }, { minimise_demolition: 0.05, corners: "cut" }]),
     erased: randomRuns(random),
+    zones: randomZones(random),
     layers,
     time: random.oneOf([null, 0, 12.34]),
   };

@@ -11,8 +11,20 @@ import mqtt from "mqtt";
 import vda5050 from "vda-5050-lib";
 import { file, json, map, plan, waybreaker } from "./waybreaker.mjs";
 
+// Off the vehicle's way.
+const yard = [[20, 20], [60, 24], [40, 70], [20, 20]];
+writeFileSync(file("zones.geojson"), JSON.stringify({
+  type: "FeatureCollection",
+  crs: "cells",
+  features: [{
+    type: "Feature",
+    properties: { zone: "keep_out", name: "yard" },
+    geometry: { type: "Polygon", coordinates: [yard] },
+  }],
+}));
+
 // When the vehicle gets to the end of its first base, the last breach before it turns out to have failed.
-plan("--breach-time", "200s", "--vda5050", "orders.json");
+plan("--zones", "zones.geojson", "--breach-time", "200s", "--vda5050", "orders.json");
 const now = Date.parse(json("orders.json").orders[1].timestamp) / 1000;
 const breach = json("plan.json").removed.filter((one) => one.cleared_at < now).at(-1);
 const failed = [{ obstacle: breach.obstacle, at: breach.cleared_at }];
@@ -27,6 +39,8 @@ for (const messages of ["orders.json", "revised.json"]) {
     const ajv = addFormats(new Ajv({ allErrors: true, strict: false }));
     const { orders, zoneSets, instantActions } = json(messages);
     assert.equal(instantActions.length, messages === "revised.json" ? 1 : 0);
+    for (const { zoneSet } of zoneSets)
+      assert.deepEqual(zoneSet.zones.filter((zone) => zone.zoneType === "BLOCKED").map((zone) => zone.vertices.length), [3]);
     for (const [schema, list] of [["order", orders], ["zoneSet", zoneSets], ["instantActions", instantActions]]) {
       const valid = ajv.compile(JSON.parse(readFileSync(join(schemas, `${schema}.schema`), "utf8")));
       for (const message of list) {

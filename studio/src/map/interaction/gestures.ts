@@ -12,7 +12,9 @@ export interface GestureTarget {
   dragTo(at: Point, done: boolean): void;
   drawTo(at: Point, done: boolean): void;
   abandon(): void; // the drag or the stroke was not meant
+  doubleClick(at: Point, outwards: boolean): void;
   choose(): void; // what is in the middle
+  takeBack(): void; // the last step of what is being drawn
   escape(): void;
   ask(at: Point | null): boolean; // what can be done with what is there, or in the middle; whether anything can
 }
@@ -49,7 +51,7 @@ export class Gestures {
       const byKey = event.button !== 2 && !(event as PointerEvent).pointerType;
       if (target.ask(byKey ? null : this.#at(event))) event.preventDefault();
     });
-    on("dblclick", (event) => target.zoomBy(event.shiftKey ? 0.5 : 2, this.#at(event), true));
+    on("dblclick", (event) => target.doubleClick(this.#at(event), event.shiftKey));
   }
 
   destroy(): void {
@@ -155,6 +157,7 @@ export class Gestures {
       "-": () => this.target.zoomBy(1 / 1.5, null, true),
       "0": () => this.target.fit(),
       Enter: () => this.target.choose(),
+      Backspace: () => this.target.takeBack(),
       Escape: () => this.target.escape(),
     };
     if (event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey)) {

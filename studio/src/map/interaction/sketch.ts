@@ -46,7 +46,7 @@ export class Sketch {
   }
 
   draw(frame: Frame, scene: Scene): void {
-    if (scene.tool === "move") return;
+    if (scene.tool === "move" || scene.tool === "zone") return;
     if (scene.tool === "rubble") return this.#drawRubble(frame, scene);
     const { context, theme } = frame;
     const colour = scene.tool === "wall" ? theme.obstacles.fixed.edge : theme.removed;

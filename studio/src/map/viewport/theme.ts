@@ -33,6 +33,8 @@ export interface Theme {
   vehicles: readonly string[]; // of a team; they carry figures in `onVehicle`
   onVehicle: string;
   fleet: readonly string[]; // its aircraft: warm colours, with a dark edge; figures in `onAir`
+  noFly: string; // zones, over a tint
+  keepOut: string;
   protect: string;
   exclude: string;
   select: string;
@@ -80,6 +82,8 @@ export const light: Theme = {
   vehicles: ["#0072b2", "#d41972", "#065605", "#6c2787", "#816339", "#8150ea", "#34080a", "#2c39ca", "#690a36", "#110d72"],
   onVehicle: "#ffffff",
   fleet: ["#e69f00", "#f6e27a", "#bd8748", "#f0c09a"],
+  noFly: "#9c1f6e",
+  keepOut: "#3d3a8c",
   protect: "#00785a",
   exclude: "#5b5750",
   select: "#26231f",
@@ -127,6 +131,8 @@ export const dark: Theme = {
   vehicles: ["#56b4e9", "#d374a1", "#4fe364", "#cac6ee", "#ffd3b0", "#9088fc", "#8e8607", "#99fbf4", "#daf84d", "#96bfa6"],
   onVehicle: "#15181b",
   fleet: ["#f0b429", "#fff1a8", "#b8843c", "#f98f86"],
+  noFly: "#f08cc8",
+  keepOut: "#b3afff",
   protect: "#3ddcb0",
   exclude: "#b9bec6",
   select: "#ffffff",
