@@ -19,7 +19,7 @@ struct Made {
 };
 
 // Nobody can get to the place on the right: everything around it stays.
-const Map& yard() {
+const Map& street() {
     static const Map map = map_from_ascii(R"(
         ....#.
         ....#.
@@ -34,20 +34,20 @@ Made made_plan() {
                            vehicle("far", {0, 0}, {5, 2})};
     made.mission.agents[0].weight = 2.5;
     made.mission.agents[2].weight = 4;
-    made.plan = Planner().plan(yard(), made.mission);
+    made.plan = Planner().plan(street(), made.mission);
     return made;
 }
 
 std::set<Rule> broken(const Made& made) {
     std::set<Rule> rules;
-    for (const Violation& violation : check(yard(), made.mission, made.plan)) rules.insert(violation.rule);
+    for (const Violation& violation : check(street(), made.mission, made.plan)) rules.insert(violation.rule);
     return rules;
 }
 
 TEST(PlacesCheck, AcceptsThePlan) {
     const Made made = made_plan();
     ASSERT_EQ(made.plan.status, PlanStatus::solved);
-    EXPECT_TRUE(is_valid(yard(), made.mission, made.plan));
+    EXPECT_TRUE(is_valid(street(), made.mission, made.plan));
     EXPECT_DOUBLE_EQ(*made.plan.after.flowtime, 2.5 * 3 + 3 + 4 * 20);
 }
 

@@ -18,13 +18,13 @@
 namespace waybreaker {
 namespace {
 
-struct Case {
+struct Places {
     Map map;
     Mission mission;
 };
 
 // Vehicles that leave one hospital for places anywhere, some behind walls that nobody may open.
-Case any_case(std::mt19937& random) {
+Places any_places(std::mt19937& random) {
     const auto below = [&](int count) { return int(random() % unsigned(count)); };
     PlainMap plain{5 + below(4), 3 + below(3), {}};
     plain.obstacles.assign(std::size_t(plain.width) * std::size_t(plain.height), 0);
@@ -39,7 +39,7 @@ Case any_case(std::mt19937& random) {
     }
     std::vector<ObstacleAttributes> attributes(std::size_t(walls) + 1);
     attributes[1].destructible = below(3) > 0;
-    Case made{Map::from_labels(plain.width, plain.height, plain.obstacles, attributes), {}};
+    Places made{Map::from_labels(plain.width, plain.height, plain.obstacles, attributes), {}};
     Rules& rules = made.mission.rules;
     rules.removals = 1 + below(2);
     rules.objective = std::array{Objective::flowtime, Objective::flowtime, Objective::makespan,
@@ -75,7 +75,7 @@ TEST(Places, AgreeWithEverySetOrderAndCell) {
     int leaving = 0;
     constexpr int rounds = 600;
     for (int round = 0; round < rounds; ++round) {
-        const auto [map, mission] = any_case(random);
+        const auto [map, mission] = any_places(random);
         const double best = EveryPlan(map, mission).best();
         const Plan plan = Planner().plan(map, mission);
         EXPECT_TRUE(is_valid(map, mission, plan)) << round;
@@ -148,7 +148,7 @@ TEST(Places, OpenForTheWeight) {
 TEST(Places, KeepTheirChoiceUnderAnotherScale) {
     std::mt19937 random(22);
     for (int round = 0; round < 100; ++round) {
-        const auto [map, mission] = any_case(random);
+        const auto [map, mission] = any_places(random);
         Mission twice = mission;
         for (Agent& agent : twice.agents) agent.weight *= 2;
         const Plan plan = Planner().plan(map, mission);
@@ -160,7 +160,7 @@ TEST(Places, KeepTheirChoiceUnderAnotherScale) {
 TEST(Places, AreNoBetterForFewerRemovals) {
     std::mt19937 random(23);
     for (int round = 0; round < 100; ++round) {
-        auto [map, mission] = any_case(random);
+        auto [map, mission] = any_places(random);
         double least = never;
         for (int removals = 0; removals <= 3; ++removals) {
             mission.rules.removals = removals;
@@ -175,7 +175,7 @@ TEST(Places, AreNoBetterForFewerRemovals) {
 TEST(Places, PassByWhoCountsForNothing) {
     std::mt19937 random(24);
     for (int round = 0; round < 100; ++round) {
-        auto [map, mission] = any_case(random);
+        auto [map, mission] = any_places(random);
         mission.rules.objective = Objective::flowtime;
         const double alone = reached(mission, Planner().plan(map, mission));
         const std::vector<Cell> free = plain(map, {}).free_cells();
@@ -191,7 +191,7 @@ TEST(Places, AreReachedNoLaterWithoutCollisions) {
     std::mt19937 random(25);
     int solved = 0;
     for (int round = 0; round < 200; ++round) {
-        auto [map, mission] = any_case(random);
+        auto [map, mission] = any_places(random);
         mission.rules.unreached.reset();
         mission.rules.collisions = true;
         const std::vector<Cell> free = plain(map, {}).free_cells();
