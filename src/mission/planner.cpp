@@ -40,8 +40,8 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has its way opened, by aircraft that count like it or by itself: then nobody gets in anybody's
-// way.
+// Whether one ground agent has its way opened, by aircraft that count like it or by itself: then nobody gets in
+// anybody's way.
 bool drives_alone(const Mission& mission) {
     const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
     return mission.counts_alike() && count(AgentKind::ground) == 1 &&

@@ -243,7 +243,8 @@ std::optional<Map> closed_to_vehicles(const Map& map, const Mission& mission) {
 }
 
 InZones::InZones(const Map& map, const Mission& mission) : map_(map), mission_(mission) {
-    if (mission.rules.zones.empty()) return;
+    const auto is_free = [](const Agent& agent) { return agent.airspace.is_open(); };
+    if (mission.rules.zones.empty() && std::ranges::all_of(mission.agents, is_free)) return;
     closed_ = closed_to_vehicles(map, mission);
     zoned_ = mission;
     set_airspaces(map, *zoned_);

@@ -64,7 +64,7 @@ Places any_places(std::mt19937& random) {
     return made;
 }
 
-double reached(const Mission& mission, const Plan& plan) {
+double figure_of(const Mission& mission, const Plan& plan) {
     return value(plan.after, mission.rules.objective).value_or(never);
 }
 
@@ -81,8 +81,8 @@ TEST(Places, AgreeWithEverySetOrderAndCell) {
         EXPECT_TRUE(is_valid(map, mission, plan)) << round;
         ASSERT_EQ(plan.status, PlanStatus::solved) << round;
         EXPECT_LE(*plan.bound, best + 1e-6) << round;
-        EXPECT_GE(reached(mission, plan), best - 1e-6) << round;
-        as_good += reached(mission, plan) <= best + 1e-6 ? 1 : 0;
+        EXPECT_GE(figure_of(mission, plan), best - 1e-6) << round;
+        as_good += figure_of(mission, plan) <= best + 1e-6 ? 1 : 0;
         removing += plan.breaches.empty() ? 0 : 1;
         leaving += std::ranges::count(plan.agents, false, &Itinerary::reached) > 0 ? 1 : 0;
     }
@@ -164,7 +164,7 @@ TEST(Places, AreNoBetterForFewerRemovals) {
         double least = never;
         for (int removals = 0; removals <= 3; ++removals) {
             mission.rules.removals = removals;
-            const double now = reached(mission, Planner().plan(map, mission));
+            const double now = figure_of(mission, Planner().plan(map, mission));
             EXPECT_LE(now, least * (1 + 1e-9)) << round << ": " << removals;
             least = now;
         }
@@ -177,12 +177,12 @@ TEST(Places, PassByWhoCountsForNothing) {
     for (int round = 0; round < 100; ++round) {
         auto [map, mission] = any_places(random);
         mission.rules.objective = Objective::flowtime;
-        const double alone = reached(mission, Planner().plan(map, mission));
+        const double alone = figure_of(mission, Planner().plan(map, mission));
         const std::vector<Cell> free = plain(map, {}).free_cells();
         Agent idle = vehicle("idle", free[random() % free.size()], free[random() % free.size()]);
         idle.weight = 0;
         mission.agents.insert(mission.agents.begin(), idle);
-        EXPECT_NEAR(reached(mission, Planner().plan(map, mission)), alone, 1e-9 * (1 + alone)) << round;
+        EXPECT_NEAR(figure_of(mission, Planner().plan(map, mission)), alone, 1e-9 * (1 + alone)) << round;
     }
 }
 
@@ -208,7 +208,7 @@ TEST(Places, AreReachedNoLaterWithoutCollisions) {
         const Plan plan = Planner().plan(map, mission);
         ASSERT_EQ(plan.status, PlanStatus::solved) << round;
         EXPECT_TRUE(is_valid(map, mission, plan)) << round;
-        EXPECT_LE(reached(mission, plan), reached(mission, apart) * (1 + 1e-9)) << round;
+        EXPECT_LE(figure_of(mission, plan), figure_of(mission, apart) * (1 + 1e-9)) << round;
     }
     EXPECT_GT(solved, 50);
 }
