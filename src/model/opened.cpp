@@ -22,7 +22,10 @@ OpenedByThemselves::OpenedByThemselves(const Map& map, const Mission& mission) :
         if (opening.at <= first_move && !map.obstacle(opening.obstacle).gone())
             edits.push_back(MapEdit::remove(opening.obstacle));
     }
-    std::erase_if(rules.opened, [&](const TimedOpening& opening) { return opening.at <= first_move; });
+    // What is gone already does not open.
+    std::erase_if(rules.opened, [&](const TimedOpening& opening) {
+        return opening.at <= first_move || map.obstacle(opening.obstacle).gone();
+    });
     if (!edits.empty()) opened_ = map.with(edits);
 }
 

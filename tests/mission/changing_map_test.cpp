@@ -98,5 +98,17 @@ TEST(ChangingMap, WhatIsGoneCanBeProtectedAndNotForced) {
     EXPECT_EQ(refused.error().detail, "obstacle 1 must be removed, but is gone");
 }
 
+TEST(ChangingMap, WhatIsGoneMayBeSaidToOpenLater) {
+    const Map map = Map::from_rows({".A.", ".A.", ".A."}).with({MapEdit::remove({1})});
+    Mission mission = ground_and_air({0, 1}, {2, 1});
+    mission.rules.opened = {{{1}, 50}};
+    for (const int vehicles : {1, 2}) {
+        const Plan plan = Planner().plan(map, mission);
+        EXPECT_TRUE(is_valid(map, mission, plan)) << vehicles;
+        EXPECT_DOUBLE_EQ(*plan.after.ground_makespan, 2) << vehicles;
+        mission.agents.push_back(vehicle("other", {0, 0}, {2, 0}));
+    }
+}
+
 }  // namespace
 }  // namespace waybreaker
