@@ -54,11 +54,14 @@ inline bool simulated_as_there(const Mission& mission, const Itinerary& agent, d
     return mission.rules.at_goal == AtGoal::stay || time < agent.path.back().t;
 }
 
-// What goes wrong while the ground agents drive; empty if nothing does.
+// What goes wrong while the ground agents drive, seen every `step` units of time, or less often in a plan so long that
+// it would take for ever; empty if nothing does.
 inline std::string simulate(const Map& map, const Mission& mission, const Plan& plan, double step) {
     constexpr double slack = 1e-6;
+    constexpr double most_steps = 20'000;
     double end = 0;
     for (const Itinerary& agent : plan.agents) end = std::max(end, agent.path.back().t);
+    step = std::max(step, end / most_steps);
     for (double time = 0; time < end + 2 * step; time += step) {
         const auto is_gone = [&](ObstacleId id) { return simulated_as_gone(mission, plan, id, time + slack); };
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
