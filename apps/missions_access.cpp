@@ -110,8 +110,9 @@ Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map)
     for (const Destination& place : places) {
         const Cell hospital = nearest(hospitals, place.at, closed, searcher).at;
         const std::string number = std::to_string(mission.agents.size() + 1);
-        std::string id = place.name.empty() ? number : place.name;
-        if (!ids.insert(id).second) ids.insert(id = fmt::format("{} ({})", place.name, number));
+        const std::string name = place.name.empty() ? number : place.name;
+        std::string id = name;
+        for (int again = 2; !ids.insert(id).second; ++again) id = fmt::format("{} ({})", name, again);
         Agent& agent = mission.agents.emplace_back(options.inbound ? vehicle(id, place.at, hospital)
                                                                    : vehicle(id, hospital, place.at));
         agent.weight = place.weight;

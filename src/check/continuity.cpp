@@ -112,6 +112,12 @@ class ContinuityJudge {
         }
         at.t = state_.now;
         std::vector<Waypoint> rest{at};
+        // Off its path an aircraft does not come back to places in a zone.
+        const auto is_inside = [&](const Waypoint& p) {
+            return checker::flies_in_zone(old_mission_, old.id, {p.x, p.y}, {p.x, p.y});
+        };
+        while (old.kind == AgentKind::air && !on_time && next + 1 < old.path.size() && is_inside(old.path[next]))
+            ++next;
         for (std::size_t i = next; i < old.path.size(); ++i) rest.push_back(old.path[i]);
         return rest;
     }
@@ -153,7 +159,7 @@ class ContinuityJudge {
         const auto place = [](const Waypoint& p) { return Point(p.x, p.y); };
         const Point next = place(rest[had_arrived ? 0 : 1]);
         const bool is_barred =
-            old.kind == AgentKind::air && checker::flies_in_zone(old_mission_, old.id, place(rest.front()), next);
+            old.kind == AgentKind::air && checker::is_barred(old_mission_, old.id, place(rest.front()), next);
         if (!(same(first.t, state_.now) || (had_arrived && first.t < state_.now)))
             say("the path of the " + path.id + " agent does not begin now", path.id);
         std::size_t piece = 0;

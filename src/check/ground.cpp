@@ -75,50 +75,63 @@ class GroundJudge {
     // A path that does not bend at vertices of the map is not looked at any further.
     bool read_legs() {
         const std::vector<Waypoint>& path = ground_.path;
-        std::vector<Vertex> vertices;
-        std::vector<std::size_t> points;  // of the path, that are vertices
+        std::optional<Vertex> last;
+        std::size_t last_point = 0;
         bool bends_at_vertices = true;
         for (std::size_t i = 0; i < path.size(); ++i) {
             if (found_.size() > enough_violations) return false;
-            if (stops_on_moves_ && is_stop_on_move(i)) continue;
-            if (const std::optional<Vertex> v = read_vertex(path[i])) {
-                vertices.push_back(*v);
-                points.push_back(i);
-            } else {
-                bends_at_vertices = false;
+            if (stops_on_moves_ && last) {
+                const std::size_t next = next_vertex(i);
+                if (next > i && is_straight(last_point, next)) i = next;
             }
+            const std::optional<Vertex> v = read_vertex(path[i]);
+            bends_at_vertices = bends_at_vertices && v;
+            if (v && last) legs_.push_back(leg_between(*last, last_point, *v, i));
+            last = v;
+            last_point = i;
         }
-        if (!bends_at_vertices) return false;
         // Who does not move at all stands there.
-        if (path.size() == 1) legs_.push_back({{vertices[0], vertices[0], path[0].t, path[0].t}, {}});
-        for (std::size_t k = 1; k < vertices.size(); ++k) {
-            StoppedLeg leg{{vertices[k - 1], vertices[k], path[points[k - 1]].t, path[points[k]].t}, {}};
-            for (std::size_t i = points[k - 1] + 1; i < points[k]; ++i) {
-                const bool is_pause = path[i].x == path[i - 1].x && path[i].y == path[i - 1].y;
-                if (!is_pause) continue;
-                const double lasts = path[i].t - path[i - 1].t;
-                leg.stops.push_back({path[i - 1].t - (path[points[k]].t - leg.move.end), lasts});
-                leg.move.end -= lasts;
-            }
-            legs_.push_back(std::move(leg));
+        if (path.size() == 1 && last) legs_.push_back({{*last, *last, path[0].t, path[0].t}, {}});
+        return bends_at_vertices;
+    }
+
+    // The first point from there on that is a vertex; that point itself if there is none.
+    std::size_t next_vertex(std::size_t point) const {
+        for (std::size_t i = point; i < ground_.path.size(); ++i) {
+            if (vertex(ground_.path[i], map_, body_)) return i;
+        }
+        return point;
+    }
+
+    // Whether the path leads straight from one point to another, and never back.
+    bool is_straight(std::size_t from, std::size_t to) const {
+        const std::vector<Waypoint>& path = ground_.path;
+        const double dx = path[to].x - path[from].x;
+        const double dy = path[to].y - path[from].y;
+        const double length = std::hypot(dx, dy);
+        if (!(length > 0)) return false;
+        double before = 0;
+        for (std::size_t i = from + 1; i <= to; ++i) {
+            const double x = path[i].x - path[from].x;
+            const double y = path[i].y - path[from].y;
+            const double along = (x * dx + y * dy) / length;
+            if (std::abs(x * dy - y * dx) > terms_.tolerance * length || along < before - terms_.tolerance)
+                return false;
+            before = along;
         }
         return true;
     }
 
-    // Whether that point of the path lies within a straight move: no vertex, and in line with its neighbours.
-    bool is_stop_on_move(std::size_t i) const {
+    StoppedLeg leg_between(Vertex from, std::size_t first, Vertex to, std::size_t last) const {
         const std::vector<Waypoint>& path = ground_.path;
-        if (vertex(path[i], map_, body_)) return false;
-        std::size_t before = i;
-        while (before > 0 && !vertex(path[before], map_, body_)) --before;
-        std::size_t after = i;
-        while (after + 1 < path.size() && !vertex(path[after], map_, body_)) ++after;
-        const double dx = path[after].x - path[before].x;
-        const double dy = path[after].y - path[before].y;
-        const double length = std::hypot(dx, dy);
-        if (!(length > 0)) return false;
-        const double across = (path[i].x - path[before].x) * dy - (path[i].y - path[before].y) * dx;
-        return std::abs(across) <= terms_.tolerance * length;
+        StoppedLeg leg{{from, to, path[first].t, path[last].t}, {}};
+        for (std::size_t i = first + 1; i < last; ++i) {
+            if (path[i].x != path[i - 1].x || path[i].y != path[i - 1].y) continue;
+            const double lasts = path[i].t - path[i - 1].t;
+            leg.stops.push_back({path[i - 1].t - (path[last].t - leg.move.end), lasts});
+            leg.move.end -= lasts;
+        }
+        return leg;
     }
 
     std::optional<Vertex> read_vertex(const Waypoint& point) {

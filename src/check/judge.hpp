@@ -89,15 +89,10 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 int most_breaches(const Agent& agent);
 std::string beyond_capacity(const Agent& agent);
 
-// That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
-// order.
-Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);
-
-// That a ground agent stands still while it breaches what is in its way, its disc at most `own_reach` cells from it,
-// one after the other. Precondition: its timetable is in order.
+// That the agent is where it breaches, as long as it takes, one after the other. A ground agent stands still, its disc
+// at most `own_reach` cells from what it breaches. Precondition: its timetable is in order.
 inline constexpr double own_reach = 1;
-Violations judge_own_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& ground,
-                              const Terms& terms);
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent, const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 // `driver` and `flyer`: as the mission has them.
@@ -129,6 +124,8 @@ Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan)
 
 // Whether the straight way between two places leads through a zone that is closed to that aircraft.
 bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b);
+// The same, or grazes one: there is a reason to fly round.
+bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b);
 
 // What waits for what. Precondition: nothing else is wrong with the plan.
 Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);

@@ -140,12 +140,14 @@ Point place_at(const Itinerary& agent, double time) {
     return {a->x + share * (b->x - a->x), a->y + share * (b->y - a->y)};
 }
 
-// Whether the agent is at one place from one time to another.
-bool stands_there(const Itinerary& agent, double from, double to, const Terms& terms) {
+// Whether a ground agent stands in the cell that a breach names, or at its border, as long as that takes.
+bool stands_there(const Itinerary& agent, const Breach& breach, double from, const Terms& terms) {
+    const double to = breach.cleared_at;
     const Point place = place_at(agent, from);
     const double hair = slack(terms, to);
     const double moved = terms.tolerance + 2 * hair * agent.speed;
     const auto is_there = [&](Point p) { return std::hypot(p.x - place.x, p.y - place.y) <= moved; };
+    if (std::abs(place.x - breach.at.x) > 1 || std::abs(place.y - breach.at.y) > 1) return false;
     for (auto point = first_point_from(agent, from + hair); point != agent.path.end() && point->t < to - hair;
          ++point) {
         if (!is_there({point->x, point->y})) return false;
@@ -153,8 +155,8 @@ bool stands_there(const Itinerary& agent, double from, double to, const Terms& t
     return is_there(place_at(agent, to));
 }
 
-// How far a point is from the nearest cell of an obstacle, if not farther than that.
-bool is_within(const Map& map, Point from, ObstacleId obstacle, double reach) {
+// Whether a point is at most so far from a cell of an obstacle.
+bool is_near(const Map& map, Point from, ObstacleId obstacle, double reach) {
     const auto first = [&](double at, int size) { return int(std::clamp(std::floor(at - reach), 0.0, size - 1.0)); };
     const auto last = [&](double at, int size) { return int(std::clamp(std::ceil(at + reach), 0.0, size - 1.0)); };
     for (int y = first(from.y, map.height()); y <= last(from.y, map.height()); ++y) {
@@ -203,8 +205,8 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
     return found;
 }
 
-Violations judge_own_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& ground,
-                              const Terms& terms) {
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent,
+                          const Terms& terms) {
     Violations found;
     double free_from = 0;  // the breach before is over
     for (const Breach& breach : breaches) {
@@ -213,40 +215,16 @@ Violations judge_own_breaches(const Map& map, std::span<const Breach> breaches, 
         const double until = breach.cleared_at;
         const double from = until - terms.rules.breach_time.of(map.obstacle(breach.obstacle));
         const auto report = [&](Rule rule, const std::string& what) {
-            const std::string who = "the " + ground.id + " agent ";
-            found.push_back({rule, who + what + text(breach.obstacle), ground.id, breach.obstacle, breach.at, until});
+            found.push_back({rule, what, agent.id, breach.obstacle, breach.at, until});
         };
-        const Point place = place_at(ground, from);
-        const bool states_it = std::abs(place.x - breach.at.x) <= 1 && std::abs(place.y - breach.at.y) <= 1;
-        if (!states_it || !stands_there(ground, from, until, terms)) {
-            report(Rule::breach, "does not stand at " + text(breach.at) + " from " + text(from) + " to " + text(until) +
-                                     " to breach ");
-        } else if (!is_within(map, place, breach.obstacle, terms.body.reach() + own_reach)) {
-            report(Rule::boundary, "stands at " + text(place) + ", which is too far from ");
-        }
-        if (from < free_from - slack(terms, free_from)) {
-            report(Rule::order, "is still at another one, until " + text(free_from) + ", when it begins to breach ");
-        }
-        free_from = until;
-    }
-    return found;
-}
-
-Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms) {
-    Violations found;
-    double free_from = 0;  // the breach before is over
-    for (const Breach& breach : breaches) {
-        if (!names_obstacle(map, breach.obstacle)) continue;
-        if (found.size() > enough_violations) break;
-        const double until = breach.cleared_at;
-        const double from = until - terms.rules.breach_time.of(map.obstacle(breach.obstacle));
-        const auto report = [&](Rule rule, const std::string& what) {
-            found.push_back({rule, what, air.id, breach.obstacle, breach.at, until});
-        };
-        if (!stays_there(air, breach.at, from, until, terms)) {
+        const bool flies = agent.kind == AgentKind::air;
+        if (!(flies ? stays_there(agent, breach.at, from, until, terms) : stands_there(agent, breach, from, terms))) {
             const std::string when = from < until ? "from " + text(from) + " to " + text(until) : "at " + text(until);
-            report(Rule::breach, "the " + air.id + " agent is not at " + text(breach.at) + " " + when + " to breach " +
-                                     text(breach.obstacle));
+            report(Rule::breach, "the " + agent.id + " agent is not at " + text(breach.at) + " " + when +
+                                     " to breach " + text(breach.obstacle));
+        } else if (!flies && !is_near(map, place_at(agent, from), breach.obstacle, terms.body.reach() + own_reach)) {
+            report(Rule::boundary, text(breach.obstacle) + " is breached from " + text(place_at(agent, from)) +
+                                       ", where the " + agent.id + " agent is too far from it");
         }
         if (from < free_from - slack(terms, free_from)) {
             report(Rule::order, text(breach.obstacle) + " is breached before the one listed before it is cleared, at " +

@@ -120,11 +120,8 @@ class TeamJudge {
             append(found_, judge_gain(path, agent.ready_at, alone(path.id), terms));
             const bool may_be_early = agent.kind == AgentKind::ground || agent.ready_at > 0;
             if (may_be_early) append(found_, judge_ready(path, agent, terms_));
-            if (agent.kind == AgentKind::air) {
-                append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
-                continue;
-            }
-            append(found_, judge_own_breaches(map_, breaches_by(agent.id), path, terms));
+            append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms));
+            if (agent.kind == AgentKind::air) continue;
             Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
             followed = followed && drive.followed;

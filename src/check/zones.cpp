@@ -54,9 +54,9 @@ double from_outline(const Zone& zone, Point p) {
     return least;
 }
 
-// Where a leg first lies deep inside, as a share of it. Between two edges that it crosses it is inside as a whole, or
-// outside.
-std::optional<double> first_inside(const Zone& zone, Point a, Point b) {
+// Where a leg first lies so deep inside, as a share of it. Between two edges that it crosses it is inside as a whole,
+// or outside.
+std::optional<double> first_inside(const Zone& zone, Point a, Point b, double deep = spare) {
     std::vector<double> shares{0, 1};
     for_each_edge(zone, [&](Point c, Point d) {
         const double across = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
@@ -68,7 +68,7 @@ std::optional<double> first_inside(const Zone& zone, Point a, Point b) {
         if (!is_inside(zone, between(a, b, (shares[i - 1] + shares[i]) / 2))) continue;
         for (int look = 0; look <= looks; ++look) {
             const double share = shares[i - 1] + (shares[i] - shares[i - 1]) * look / looks;
-            if (from_outline(zone, between(a, b, share)) > spare) return share;
+            if (from_outline(zone, between(a, b, share)) > deep) return share;
         }
     }
     return std::nullopt;
@@ -203,6 +203,12 @@ std::size_t first_judged(const Mission& mission, const Agent& agent, const Itine
 bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b) {
     return std::any_of(mission.rules.zones.begin(), mission.rules.zones.end(), [&](const Zone& zone) {
         return holds_for(zone, aircraft, true) && first_inside(zone, a, b).has_value();
+    });
+}
+
+bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b) {
+    return std::any_of(mission.rules.zones.begin(), mission.rules.zones.end(), [&](const Zone& zone) {
+        return holds_for(zone, aircraft, true) && (first_inside(zone, a, b, 0) || first_touched(zone, a, b, 2 * spare));
     });
 }
 

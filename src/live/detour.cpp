@@ -46,11 +46,33 @@ std::optional<Cell> nearest_outside(const Map& map, const Airspace& air, Point a
     return nearest;
 }
 
+// Off its path it does not come back to places in a zone, which it was to fly out of.
+void leave_out_places_inside(const Agent& aircraft, Position& position) {
+    std::vector<Waypoint>& ahead = position.ahead;
+    const auto outside = std::find_if(ahead.begin() + 1, ahead.end(), [&](const Waypoint& p) {
+        return aircraft.airspace.allows({p.x, p.y});
+    });
+    if (outside == ahead.begin() + 1 || outside == ahead.end()) return;
+    position.next += std::size_t(outside - ahead.begin()) - 1;
+    const double later =
+        ahead[0].t + distance(position.at, Point(outside->x, outside->y)) / aircraft.speed - outside->t;
+    ahead.erase(ahead.begin() + 1, outside);
+    for (std::size_t i = 1; i < ahead.size(); ++i) ahead[i].t += later;
+}
+
+// Zones enclose it: it stays where it is.
+void stay(Position& position) {
+    position.next += position.ahead.size() - 1;
+    position.ahead.resize(1);
+    position.detour.clear();
+}
+
 }  // namespace
 
 void fly_round_zones(const Map& map, const Agent& aircraft, Position& position) {
     const Airspace& air = aircraft.airspace;
     if (air.is_open() || position.doing == Doing::lost) return;
+    if (!position.on_time) leave_out_places_inside(aircraft, position);
     std::vector<Waypoint>& ahead = position.ahead;
     const Point onward = position.finished() ? Point(aircraft.goal) : Point(ahead[1].x, ahead[1].y);
     const bool inside = !air.allows(position.at);
@@ -67,12 +89,13 @@ void fly_round_zones(const Map& map, const Agent& aircraft, Position& position) 
     if (inside) {
         const std::optional<Point> beside = just_outside(air, position.at);
         const std::optional<Cell> cell = beside ? std::nullopt : nearest_outside(map, air, position.at, onward);
-        if (!beside && !cell) return;
+        if (!beside && !cell) return stay(position);
         fly_to(beside ? *beside : Point(*cell));
         position.leaves_zone = last.t;
     }
     if (position.finished() || position.on_time) return;
     const std::vector<Point> way = air.way({last.x, last.y}, onward);
+    if (way.empty()) return stay(position);
     for (std::size_t i = 1; i + 1 < way.size(); ++i) fly_to(way[i]);
     const double arrives = last.t + distance(Point(last.x, last.y), onward) / aircraft.speed;
     const double straight = ahead[0].t + distance(position.at, onward) / aircraft.speed;

@@ -35,10 +35,7 @@ std::vector<Broken> broken_on(const Map& map, const CrossingPath& way, std::span
     for (const ObstacleId obstacle : way.crossed) {
         const auto touch = first_touch_on(map, obstacle, drive, radius);
         if (!touch) continue;
-        const Point from = way.path[touch->move];
-        const Point to = way.path[std::min(touch->move + 1, way.path.size() - 1)];
-        const Point at{from.x + touch->share * (to.x - from.x), from.y + touch->share * (to.y - from.y)};
-        met.push_back({touch->time, {obstacle, at, costs[obstacle.value]}});
+        met.push_back({touch->time, {obstacle, place_of(way.path, *touch), costs[obstacle.value]}});
     }
     std::ranges::stable_sort(met, {}, &std::pair<double, Broken>::first);
     std::vector<Broken> broken;

@@ -159,6 +159,12 @@ std::vector<Wait> stands(const Itinerary& agent) {
     return waits;
 }
 
+Point place_of(std::span<const Point> path, const Touch& touch) {
+    const Point from = path[touch.move];
+    const Point to = path[touch.move + 1];
+    return {from.x + touch.share * (to.x - from.x), from.y + touch.share * (to.y - from.y)};
+}
+
 std::optional<Touch> first_touch_on(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path,
                                     double radius) {
     for (std::size_t i = 1; i < path.size(); ++i) {

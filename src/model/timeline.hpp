@@ -27,6 +27,9 @@ struct Touch {
     double time = 0;
 };
 
+// Where that is. REQUIRES: a touch on the path, in time.
+Point place_of(std::span<const Point> path, const Touch& touch);
+
 // When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
 // its open disc meets the closed cell, a point the open cell; a point that moves along a side between two blocked cells
 // touches both. Empty if it never does.

@@ -20,12 +20,6 @@ struct OwnStop {
     double stay = 0;   // until it is breached
 };
 
-Point place_of(std::span<const Point> path, const Touch& touch) {
-    const Point from = path[touch.move];
-    const Point to = path[std::min(touch.move + 1, path.size() - 1)];
-    return {from.x + touch.share * (to.x - from.x), from.y + touch.share * (to.y - from.y)};
-}
-
 // The cell in which the agent stands: at the border of two, the one outside of the obstacle.
 Cell standing_cell(const Map& map, Point at, ObstacleId obstacle) {
     const Cell middle{int(std::lround(at.x)), int(std::lround(at.y))};
@@ -74,7 +68,7 @@ JointSchedule own_schedule(const Map& map, const Agent& driver, const Rules& rul
     auto stop = stops.begin();
     for (std::size_t i = 0; i < driven.size(); ++i) {
         reach(path[i], driven[i].t + delay);
-        for (; stop != stops.end() && (stop->touch.move == i || i + 1 == driven.size()); ++stop) {
+        for (; stop != stops.end() && stop->touch.move == i; ++stop) {
             const Point at = place_of(path, stop->touch);
             const double begun = stop->touch.time + delay;
             reach(at, begun);

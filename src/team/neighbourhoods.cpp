@@ -68,7 +68,7 @@ bool NeighbourhoodSearch::replan(const std::vector<std::uint32_t>& order, bool r
     if (repairing ? after.missing <= before.missing : better(after, before)) return true;
     for (const std::uint32_t i : order) fleet_.withdraw(i);
     for (std::size_t k = 0; k < order.size(); ++k) {
-        if (!old[k].empty()) fleet_.put(order[k], std::move(old[k]));
+        if (!old[k].empty()) fleet_.put(order[k], old[k]);
     }
     return false;
 }

@@ -208,7 +208,7 @@ class Airspace::Parts {
             using Entry = std::pair<double, std::size_t>;
             std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
             ways.length[corner] = 0;
-            open.push({0, corner});
+            open.emplace(0, corner);
             while (!open.empty()) {
                 const auto [length, at] = open.top();
                 open.pop();
@@ -218,7 +218,7 @@ class Airspace::Parts {
                     if (longer >= ways.length[link.to]) continue;
                     ways.length[link.to] = longer;
                     ways.before[link.to] = at;
-                    open.push({longer, link.to});
+                    open.emplace(longer, link.to);
                 }
             }
             ways_[corner] = std::move(ways);

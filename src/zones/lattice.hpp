@@ -12,7 +12,7 @@ namespace waybreaker::zones {
 
 // In steps of 1 / (2 * zone_steps) of a cell: those of corners are even, so that the middle of two is a spot as well.
 // Zone corners are below 2^29, differences below 2^30, and sums of two products of them below 2^61.
-inline constexpr std::int64_t steps = 2 * zone_steps;
+inline constexpr std::int64_t steps = 2 * std::int64_t{zone_steps};
 
 struct Spot {
     std::int64_t x = 0;

@@ -13,6 +13,7 @@ export interface AgentDocument {
   ready_at?: number;
   approach?: readonly (readonly [number, number, number])[];
   breaches?: number;
+  weight?: number; // the page has none
 }
 
 // `cell`: how large one is, in the unit of the agents' speeds.

@@ -178,6 +178,7 @@ export function leftOut(
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
+    ...(agents.some(({ weight = 1 }) => weight !== 1) ? ["weights of agents"] : []),
     ...(says("breaches", "ground") ? ["breaches of vehicles"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];

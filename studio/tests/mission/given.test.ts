@@ -237,10 +237,11 @@ it("a mission file says what is left out of it", () => {
   expect(open({ overlays: [{ file: "flood.geojson", as: "water", width: 8 }] }).leftOut).toEqual([
     "the overlay flood.geojson: drop that file on the page, and lay it over the map as water",
   ]);
-  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1 }, { ...agents[1], ready_at: 3 }];
+  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1, weight: 40 }, { ...agents[1], ready_at: 3 }];
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
+    "weights of agents",
     "breaches of vehicles",
   ]);
 });
