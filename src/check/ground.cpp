@@ -39,12 +39,12 @@ bool keeps_inside(Vertex v, const Map& map, const Shape& body) {
 
 class GroundJudge {
   public:
-    // `stops_on_moves`: it may stop between vertices.
-    GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms, bool stops_on_moves)
+    GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms)
         : map_(map),
           ground_(ground),
           terms_(terms),
-          stops_on_moves_(stops_on_moves),
+          ready_at_(asked.ready_at),
+          stops_on_moves_(asked.own_breaches > 0),
           body_(shape_of(terms.body)),
           standing_(standing_until(map, plan, terms)) {}
 
@@ -92,6 +92,10 @@ class GroundJudge {
         }
         // Who does not move at all stands there.
         if (path.size() == 1 && last) legs_.push_back({{*last, *last, path[0].t, path[0].t}, {}});
+        for (StoppedLeg& leg : legs_) {
+            if (!(leg.move.from == legs_.front().move.from && leg.move.to == leg.move.from)) break;
+            leg.move.start = std::min(std::max(leg.move.start, ready_at_), leg.move.end);
+        }
         return bends_at_vertices;
     }
 
@@ -210,7 +214,8 @@ class GroundJudge {
     const Map& map_;
     const Itinerary& ground_;
     const Terms& terms_;
-    const bool stops_on_moves_;
+    const double ready_at_;      // before, what opens by then may stand where it starts
+    const bool stops_on_moves_;  // it may stop between vertices
     const Shape body_;
     const std::vector<double> standing_;
     std::vector<StoppedLeg> legs_;
@@ -236,7 +241,7 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 }
 
 Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms) {
-    if (asked.approach.empty()) return GroundJudge(map, plan, ground, terms, asked.own_breaches > 0).judge();
+    if (asked.approach.empty()) return GroundJudge(map, plan, ground, asked, terms).judge();
     // From where it bends at vertices only.
     const std::size_t start = std::min(asked.approach.size(), ground.path.size()) - 1;
     std::size_t first = start;
@@ -244,7 +249,7 @@ Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, co
     Itinerary free = ground;
     free.path.erase(free.path.begin(), free.path.begin() + std::ptrdiff_t(first));
     Drive drive = judge_approach(map, plan, ground, first + 1, terms);
-    Drive rest = GroundJudge(map, plan, free, terms, asked.own_breaches > 0).judge();
+    Drive rest = GroundJudge(map, plan, free, asked, terms).judge();
     append(drive.found, std::move(rest.found));
     drive.followed = drive.followed && rest.followed;
     for (const auto& [obstacle, contact] : rest.entries) drive.entries.emplace(obstacle, contact);

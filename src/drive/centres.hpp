@@ -14,4 +14,8 @@ namespace waybreaker {
 double least_through_centres(const OpenedMap& map, Cell start, Cell goal, const Body& body, double known,
                              std::uint64_t most_looks);
 
+// A path so many times what is proven, or longer, is worth the look; lines of sight for one, a few milliseconds.
+inline constexpr double worth_centres = 1.01;
+inline constexpr std::uint64_t most_sight_lines = 100'000;
+
 }  // namespace waybreaker

@@ -40,12 +40,9 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-// Whether one ground agent has its way opened, by aircraft that count like it or by itself: then nobody gets in
-// anybody's way.
+// Whether nobody gets in anybody's way: there is one ground agent, and aircraft count like it.
 bool drives_alone(const Mission& mission) {
-    const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
-    return mission.counts_alike() && count(AgentKind::ground) == 1 &&
-           (count(AgentKind::air) > 0 || mission.opens_own_way());
+    return mission.counts_alike() && std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) == 1;
 }
 
 // What is best, or demolishes the least of what is about as good.

@@ -188,9 +188,23 @@ class SeveralAircraft {
     std::function<bool()> due_;
 };
 
+// Past what opens by itself.
+JointSchedule driven_alone(const Map& map, const JointTask& task) {
+    const ScheduleTask alone{.ground_path = task.ground_path,
+                             .driver = task.driver,
+                             .flyer = task.driver,  // nobody flies
+                             .rules = task.rules,
+                             .removed = task.removed};
+    const Needs needs = needs_of(map, alone);
+    JointSchedule schedule;
+    schedule.ground = drive_in_time(alone, {}, {}, needs.given, 1e-9 * (1 + needs.unhindered)).path;
+    return schedule;
+}
+
 }  // namespace
 
 JointSchedule best_joint_schedule(const Map& map, const JointTask& task) {
+    if (task.aircraft.empty()) return driven_alone(map, task);
     if (task.aircraft.size() > 1) return SeveralAircraft(map, task).best();
     return joint(map, task, best_schedule(map, task_of(task, 0, Deadline(task.time_limit))));
 }

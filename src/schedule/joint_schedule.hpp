@@ -12,7 +12,7 @@
 
 namespace waybreaker {
 
-// As ScheduleTask, with at least one aircraft; they may breach as many as have to be removed.
+// As ScheduleTask. The aircraft may breach as many as have to be removed; without one, what is removed opens by itself.
 struct JointTask {
     std::span<const Point> ground_path;
     const Agent& driver;

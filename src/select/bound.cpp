@@ -3,10 +3,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "drive/centres.hpp"
+#include "model/opened.hpp"
 #include "select/candidate.hpp"
 #include "select/tuning.hpp"
 
 namespace waybreaker {
+namespace {
+
+// Where nothing is crossed, the relaxed body slips past what the disc must go around; cell centres tell more.
+double raised_through_centres(const Task& task, double proven, double reached, const OpeningTimes& opening_times) {
+    const Body& body = task.driver.body;
+    const bool bends_at_centres = body.corners == Corners::none && !body.is_point();
+    if (task.spare_removals() > 0 || !bends_at_centres || task.worth(reached) <= worth_centres * proven) return proven;
+    const double known = costliest_path(task, reached, opening_times);
+    const double least = least_through_centres(OpenedMap(task.map, task.given), task.driver.start, task.driver.goal,
+                                               body, known, most_sight_lines);
+    return std::max(proven, std::min(least_objective(task, least, opening_times), reached));
+}
+
+}  // namespace
+
 crossing::Opener opener_of(const Task& task, OpeningTimes& opening_times) {
     crossing::Opener opener;
     if (!opening_times.matter()) return opener;
@@ -102,19 +119,10 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     return find_path(task, crossing, options, at_once);
 }
 
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
-    OpeningTimes opening_times(task);
-    return prove_bound(task, crossing, reached, deadline, opening_times, 0, 0);
-}
+namespace {
 
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
-    if (task.worth(reached) <= proven) return {proven};
-    if (opening_times.matter() && task.spare_removals() == 0) {
-        // Nothing is crossed; the search in time knows less of corners.
-        OpeningTimes at_once = OpeningTimes::at_once(task);
-        return prove_bound(task, crossing, reached, deadline, at_once, proven, expected, expansions);
-    }
+Bound prove_by_search(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                      OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
     options.expected = std::max(costliest_path(task, proven, opening_times), expected);
@@ -148,6 +156,26 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
     best.limited = rest.status == SearchStatus::limit_reached;
     return best;
+}
+
+}  // namespace
+
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
+    OpeningTimes opening_times(task);
+    return prove_bound(task, crossing, reached, deadline, opening_times, 0, 0);
+}
+
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                  OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
+    if (task.worth(reached) <= proven) return {proven};
+    if (opening_times.matter() && task.spare_removals() == 0) {
+        // Nothing is crossed; the search in time knows less of corners.
+        OpeningTimes at_once = OpeningTimes::at_once(task);
+        return prove_bound(task, crossing, reached, deadline, at_once, proven, expected, expansions);
+    }
+    Bound bound = prove_by_search(task, crossing, reached, deadline, opening_times, proven, expected, expansions);
+    bound.objective = raised_through_centres(task, bound.objective, reached, opening_times);
+    return bound;
 }
 
 }  // namespace waybreaker

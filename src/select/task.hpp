@@ -21,7 +21,7 @@ inline constexpr double rounding = 1e-9;
 struct Task {
     const Map& map;
     const Agent& driver;
-    std::vector<const Agent*> aircraft;  // none: the driver breaches what is in its way itself
+    std::vector<const Agent*> aircraft;  // none: the driver breaches itself, or nothing is
     const Rules& rules;
     const Method& method;
     const Limits& limits;
@@ -45,7 +45,7 @@ struct Task {
     // When the ground agent arrives that drives so many cells without a wait, and how many it can drive until then.
     double arrival(double cells) const { return driver.ready_at + cells / driver.speed; }
     double cells_until(double time) const { return std::max(time - driver.ready_at, 0.0) * driver.speed; }
-    bool opens_own_way() const { return aircraft.empty(); }
+    bool opens_own_way() const { return driver.own_breaches > 0; }
     // How many obstacles the aircraft may breach together, or the driver.
     std::int64_t capacity() const;
     // How many obstacles may be removed beside those that must be.

@@ -66,10 +66,9 @@ void raise_bound(const OpenedMap& map, Vehicle& vehicle) {
     const Agent& agent = vehicle.agent;
     const double known = (vehicle.alone - agent.ready_at) * agent.speed;
     if (vehicle.way.empty() || !drives_by_crossing(agent.body) ||
-        known <= tuning::least_excess * (vehicle.bound - agent.ready_at) * agent.speed)
+        known <= worth_centres * (vehicle.bound - agent.ready_at) * agent.speed)
         return;
-    const double least =
-        least_through_centres(map, agent.start, agent.goal, agent.body, known, tuning::most_sight_lines);
+    const double least = least_through_centres(map, agent.start, agent.goal, agent.body, known, most_sight_lines);
     vehicle.bound = std::max(vehicle.bound, agent.ready_at + least / agent.speed);
 }
 

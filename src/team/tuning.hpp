@@ -20,11 +20,8 @@ inline constexpr int first_rounds = 10;
 inline constexpr std::size_t most_missing_at_first = 2;
 inline constexpr std::size_t share_missing = 10;  // one in so many, and one more
 
-// Bounds (team.cpp). Share of the time left, once there is a plan, to raise the bounds of vehicles whose path is so
-// many times their bound or more; lines of sight for one of them, a few milliseconds.
+// Bounds (team.cpp). Share of the time left, once there is a plan, to raise the bounds of vehicles.
 inline constexpr double share_of_bounds = 0.2;
-inline constexpr double least_excess = 1.01;
-inline constexpr std::uint64_t most_sight_lines = 100'000;
 
 // Large neighbourhood search (neighbourhoods.cpp). Vehicles replanned together to give one a path; tries, at most so
 // many and so many for each vehicle.

@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,38 @@ RC_GTEST_PROP(IdleAircraft, TheCurveIsTheSame, ()) {
         RC_ASSERT(plans[i].after.ground_makespan == alone[i].after.ground_makespan);
         RC_ASSERT(plans[i].bound == alone[i].bound);
     }
+}
+
+// Nor whether there is one at all.
+RC_GTEST_PROP(IdleAircraft, BesideAVehicleAloneChangesNothing, ()) {
+    const PlainMap plain = *random_map(16, 14);
+    const Map map(plain.grid());
+    Mission pair = any_pair(plain);
+    pair.agents[0].body.radius = *rc::gen::element(0.0, 0.3, 0.5, 0.8);
+    pair.agents[1].breaches = 0;
+    Mission vehicle = pair;
+    vehicle.agents.pop_back();
+    vehicle.rules.objective = pair.rules.objective = Objective::ground_makespan;
+    std::vector<ObstacleId> open = some_obstacles(map, 2);
+    std::ranges::sort(open);
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+    for (const ObstacleId id : open) {
+        const double opens = *number(0, 9);
+        for (Mission* mission : {&vehicle, &pair}) mission->rules.opened.push_back({id, opens});
+    }
+    std::optional<Plan> alone;
+    try {
+        alone = Planner().plan(map, vehicle);
+    } catch (const InputError&) {
+        RC_DISCARD("no room at the start or the goal");
+    }
+    const Plan beside = Planner().plan(map, pair);
+    RC_ASSERT(plan_faults(map, vehicle, *alone) == "");
+    RC_ASSERT(beside.status == alone->status);
+    if (alone->status != PlanStatus::solved) return;
+    RC_ASSERT(beside.agents[0].path == alone->agents[0].path);
+    RC_ASSERT(beside.bound == alone->bound);
+    RC_ASSERT(beside.before.ground().length == alone->before.ground().length);
 }
 
 // One that may breach fewer than the rules allow is as good as rules that allow no more.

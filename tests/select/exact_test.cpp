@@ -252,11 +252,18 @@ TEST(ExactSelection, BoundsTheDiscWhereAPointSlipsThrough) {
         .#.#.#.#..
         ..........)");
     Mission mission = ground_and_air({0, 0}, {8, 6});
-    mission.rules.removals = 0;
+    for (const Obstacle& obstacle : map.obstacles()) mission.rules.protect.push_back(obstacle.id);
+    mission.rules.removals = 1;
     const Plan plan = Planner().plan(map, mission);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_GT(*plan.gap, 0.05);
     EXPECT_LT(*plan.gap, 0.0824);
+
+    // Where nothing may be removed, all cell centres are looked at.
+    mission.rules.removals = 0;
+    const Plan closed = Planner().plan(map, mission);
+    EXPECT_EQ(closed.after.makespan, plan.after.makespan);
+    EXPECT_EQ(*closed.gap, 0);
 }
 
 // To force what would be chosen anyway changes nothing, nor does what must go beside it.
