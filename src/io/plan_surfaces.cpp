@@ -1,5 +1,7 @@
 #include "io/plan_surfaces.hpp"
 
+#include <algorithm>
+
 namespace waybreaker::io {
 
 std::vector<std::optional<site::Surface>> plan_surfaces(const Plan& plan, const MapFile& map) {
@@ -24,8 +26,8 @@ std::string surface_line(const Plan& plan, const Mission& mission, const MapFile
         *all += *one;
     }
     if (!all) return "";
-    return std::string(mission.is_team() ? "all vehicles" : "ground agent") + ": " +
-           site::surface_text(*all, map.cell_size);
+    const bool is_one = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) == 1;
+    return std::string(is_one ? "ground agent" : "all vehicles") + ": " + site::surface_text(*all, map.cell_size);
 }
 
 }  // namespace waybreaker::io

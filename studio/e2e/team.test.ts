@@ -73,6 +73,39 @@ it("opens the mission of a team, follows a marker, plays it, and takes another a
   await again.close();
 });
 
+it("leaves the robot alone with what is in its way, by keyboard, and brings the aircraft back", async () => {
+  const studio = await setting.visit();
+  await studio.settled();
+  const agents = [
+    { id: "ground", kind: "ground", start: [130, 104], goal: [466, 105] },
+    { id: "air", kind: "air", start: [130, 104], goal: [466, 105] },
+  ];
+  const pair = { ...mission, agents, rules: { removals: 3, breach_time: 20 } };
+  await studio.page.getByLabel("File to open").setInputFiles(written("pair.json", pair));
+  await expect.poll(async () => (await studio.plan()).agents.length).toBe(2);
+  await studio.settled();
+  await studio.page.getByRole("button", { name: "Robot alone" }).press("Enter");
+  await expect.poll(async () => (await studio.plan()).removed.map(({ by }) => by)).toContain("ground");
+  await studio.settled();
+  const plan = await studio.plan();
+  expect(plan.agents.map(({ id }) => id)).toEqual(["ground"]);
+  expect(execFileSync(command, ["check", city, written("alone.json", plan)], { encoding: "utf8" })).toContain("valid");
+  expect(await studio.accessibilityFaults()).toEqual([]);
+
+  expect(await studio.page.getByRole("button", { name: "Rehearse this plan" }).count()).toBe(0);
+
+  const limit = studio.page.getByLabel("Opens in its way");
+  await limit.selectOption("0");
+  await expect.poll(async () => (await studio.plan()).removed.length).toBe(0);
+  await limit.selectOption("1");
+  await expect.poll(async () => (await studio.plan()).removed.length).toBe(1);
+  await expect.poll(() => studio.page.url()).toContain("vehicles=");
+  await studio.page.getByRole("button", { name: "Add aircraft" }).press("Enter");
+  await expect.poll(async () => (await studio.plan()).agents.map(({ id }) => id)).toEqual(["ground", "air"]);
+  expect(studio.faults).toEqual([]);
+  await studio.close();
+});
+
 it("says who waits for what, in the lanes and for those who do not see them", async () => {
   const yard = join(scratch, "yard.map"); // a wall from side to side, which takes long to open
   writeFileSync(yard, `type octile\nheight 9\nwidth 20\nmap\n${`${".".repeat(9)}@@${".".repeat(9)}\n`.repeat(9)}`);

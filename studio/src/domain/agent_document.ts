@@ -1,5 +1,5 @@
 // Agents as mission files, plan files and requests have them (docs/contract.md).
-import { type Agents, type MissionAgent, placeOf, usualAircraft, usualVehicle, vehiclesFirst } from "./agents";
+import { type Agents, type MissionAgent, opensOwnWay, placeOf, usualAircraft, usualVehicle, vehiclesFirst } from "./agents";
 import type { Cell } from "./geometry";
 
 export interface AgentDocument {
@@ -23,7 +23,12 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
     const [start, goal] = [placeOf(agents, agent, "start"), placeOf(agents, agent, "goal")];
     const common = { id, kind, start, goal, speed: agent.speed / cell };
     if (agent.kind === "air") return { ...common, ...(agent.breaches !== null && { breaches: agent.breaches }) };
-    return { ...common, radius: agent.radius, ...(agent.readyAt > 0 && { ready_at: agent.readyAt }) };
+    return {
+      ...common,
+      radius: agent.radius,
+      ...(agent.readyAt > 0 && { ready_at: agent.readyAt }),
+      ...(opensOwnWay(agents) && { breaches: agent.breaches }),
+    };
   });
 }
 
@@ -42,7 +47,8 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
     const speed = speedOf(agent, scale);
     if (kind === "ground") {
       const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
-      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds) };
+      const breaches = documents.length === 1 ? (agent.breaches ?? usualVehicle.breaches) : usualVehicle.breaches;
+      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches };
     }
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
     return { kind, id, ...places, speed, breaches: agent.breaches ?? usualAircraft.breaches };

@@ -12,6 +12,7 @@ export interface Vehicle {
   speed: number;
   radius: number; // cells
   readyAt: number; // it stands at its start until then
+  breaches: number; // how many obstacles it may breach in its own way, if nobody else takes part
 }
 
 // A place that is null is that of the first vehicle.
@@ -27,7 +28,7 @@ export interface Aircraft {
 export type MissionAgent = Vehicle | Aircraft;
 export type Agents = readonly MissionAgent[]; // at least one is a vehicle
 
-export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0 };
+export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0 };
 export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null };
 
 // One robot and one aircraft, which starts and ends with it.
@@ -46,6 +47,16 @@ export function isPair(agents: readonly { kind: MissionAgent["kind"] }[]): boole
 // The paper's method knows no others.
 export function hasPaperMethod(agents: Agents): boolean {
   return isPair(agents);
+}
+
+// Whether the only agent breaks what is in its way.
+export function opensOwnWay(agents: Agents): boolean {
+  return agents.length === 1 && vehiclesOf(agents).some(({ breaches }) => breaches > 0);
+}
+
+// Whether anybody may open the way: without them nothing is removed.
+export function canOpen(agents: Agents): boolean {
+  return aircraftOf(agents).length > 0 || opensOwnWay(agents);
 }
 
 // Whether aircraft open the way for one vehicle: then nobody gets in anybody's way, and plans are fast.
@@ -109,10 +120,18 @@ export function vehiclesFirst(agents: Agents): Agents {
   return [...vehiclesOf(agents), ...aircraftOf(agents)];
 }
 
-// With one agent more. Whoever is called by its kind gets a name that tells it from others.
+// With one agent more. Whoever is called by its kind gets a name that tells it from others, unless they are a pair again.
+// Beside others nobody breaks its own way.
 export function joined(agents: Agents, one: MissionAgent): Agents {
-  const named = agents.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
-  return vehiclesFirst([...named, { ...one, id: freshId(named, one.kind) }]);
+  const alone = agents.map((agent) => (agent.kind === "ground" ? { ...agent, breaches: usualVehicle.breaches } : agent));
+  const named = alone.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
+  const all = vehiclesFirst([...named, { ...one, id: freshId(named, one.kind) }]);
+  return isPair(all) ? vehiclesFirst([...alone, { ...one, id: one.kind }]) : all;
+}
+
+// The vehicle of a pair without its aircraft: it breaks what is in its way itself.
+export function onItsOwn(agents: Agents, breaches: number): Agents {
+  return vehiclesOf(agents).map((vehicle) => ({ ...vehicle, breaches }));
 }
 
 // Without one. Those of a pair that is left are called by their kinds, unless somebody named them.

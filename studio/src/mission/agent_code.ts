@@ -21,9 +21,10 @@ const between = "~"; // agents; commas stand between what is said of one
 const mostAgents = 10_000;
 
 export function encodeAgents(agents: Agents): AgentCodes {
-  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id }, i) => {
-    const usual = ["", "", "", "", usualVehicle.speed, usualVehicle.radius, usualVehicle.readyAt, usualId("ground", i)];
-    return fields([...start, ...goal, speed, radius, readyAt, id], usual);
+  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches }, i) => {
+    const { speed: usualSpeed, radius: usualRadius, readyAt: usualReady, breaches: usualBreaches } = usualVehicle;
+    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches];
+    return fields([...start, ...goal, speed, radius, readyAt, id, breaches], usual);
   });
   const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id }, i) => {
     const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i)];
@@ -61,8 +62,9 @@ function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
   const speed = numberOf(texts[4], usualVehicle.speed, 1e-3, 1e4);
   const radius = numberOf(texts[5], usualVehicle.radius, 0, 32);
   const readyAt = numberOf(texts[6], usualVehicle.readyAt, 0, 1e6);
-  if (!start || !goal || speed === null || radius === null || readyAt === null) return null;
-  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt };
+  const breaches = texts[8] ? wholeOf(texts[8]) : usualVehicle.breaches;
+  if (!start || !goal || speed === null || radius === null || readyAt === null || breaches === undefined) return null;
+  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt, breaches };
 }
 
 function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {

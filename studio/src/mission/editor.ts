@@ -8,6 +8,7 @@ import {
   joined,
   left,
   type MissionAgent,
+  onItsOwn,
   type Vehicle,
   vehiclesOf,
 } from "../domain/agents";
@@ -106,6 +107,12 @@ export class Editor {
   addAircraft(): void {
     const mission = this.page.mission.value;
     if (mission) this.#join(oneAircraftMore(mission.agents));
+  }
+
+  // The vehicle of a pair breaks its own way from now on.
+  leaveItAlone(): void {
+    this.change((mission) => ({ ...mission, agents: onItsOwn(mission.agents, mostRemovals) }));
+    this.page.chooseAgent(0);
   }
 
   // The last vehicle stays: a mission is about somebody who drives.

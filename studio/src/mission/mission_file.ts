@@ -179,7 +179,7 @@ export function leftOut(
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(agents.some(({ weight = 1 }) => weight !== 1) ? ["weights of agents"] : []),
-    ...(says("breaches", "ground") ? ["breaches of vehicles"] : []),
+    ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

@@ -1,8 +1,8 @@
 // What the vehicles of a plan drive over, in plain words.
-import { isTeam, type Plan, type Surface } from "../domain/plan";
+import { type Plan, type Surface } from "../domain/plan";
 import { length, type Units } from "../domain/units";
 
-// Of all vehicles together; null where the map does not know.
+// Of all ground agents together; null where the map does not know.
 export function surfaceWords(plan: Plan, units: Units): string | null {
   const surfaces = plan.agents.flatMap(({ surface }) => surface ?? []);
   if (surfaces.length === 0) return null;
@@ -16,6 +16,7 @@ export function surfaceWords(plan: Plan, units: Units): string | null {
   if (shows(unknown)) parts.push(`${length(unknown, units)} on unknown ground`);
   const wet = sum((s) => s.near_water ?? 0);
   const water = shows(wet) ? `; ${length(wet, units)} within 5\u00a0m of water` : "";
-  const who = isTeam(plan) ? "The vehicles drive" : "The ground robot drives";
+  const count = plan.agents.filter(({ kind }) => kind === "ground").length;
+  const who = count > 1 ? "The vehicles drive" : "The ground robot drives";
   return `${who} ${parts.join(", ")}${water}.`;
 }

@@ -66,7 +66,7 @@ function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
 
 // Who arrives last, and what it would be if each were alone, with nothing removed.
 export function teamArrivals(plan: Plan, units: Units): string | null {
-  if (plan.agents.length === 0) return null;
+  if (plan.agents.length < 2) return null;
   const objective = objectiveOf(plan);
   const counts = objective === "ground-makespan" ? plan.agents.filter((agent) => agent.kind === "ground") : plan.agents;
   const last = counts.reduce((a, b) => (arrival(b) > arrival(a) ? b : a));

@@ -1,6 +1,6 @@
 // What an agent is called and can do.
 import { useId } from "preact/hooks";
-import { type Agents, type Aircraft, type Vehicle, vehiclesOf } from "../domain/agents";
+import { type Agents, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
@@ -30,6 +30,7 @@ export function AgentFields({ studio, agents, index }: Props) {
       />
       {agent.kind === "ground" ? (
         <>
+          {agents.length === 1 && <OpensAtMost studio={studio} agents={agents} index={index} label="Opens in its way" />}
           <LeavesNotBefore studio={studio} agents={agents} index={index} />
           <VehicleSize
             label="Width"
@@ -94,7 +95,7 @@ export function LeavesNotBefore({ studio, agents, index, label = "Leaves not bef
 
 export function OpensAtMost({ studio, agents, index, label = "Opens at most" }: Props & { label?: string }) {
   const id = useId();
-  const { breaches } = agents[index] as Aircraft;
+  const { breaches, kind } = agents[index]!;
   const counts = new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, ...(breaches === null ? [] : [breaches])]);
   const set = (value: string) => studio.editor.changeAgent(index, { breaches: value === "" ? null : Number(value) });
   return (
@@ -105,7 +106,7 @@ export function OpensAtMost({ studio, agents, index, label = "Opens at most" }: 
         value={breaches === null ? "" : String(breaches)}
         onChange={(event) => set(event.currentTarget.value)}
       >
-        <option value="">any number</option>
+        {kind === "air" && <option value="">any number</option>}
         {[...counts].map((count) => (
           <option key={count} value={String(count)}>
             {count}

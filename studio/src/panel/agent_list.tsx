@@ -29,6 +29,16 @@ export function AgentList({ page, studio }: { page: PageState; studio: Studio | 
           <button type="button" class="button" onClick={() => studio.editor.addAircraft()}>
             Add aircraft
           </button>
+          {!isTeam && (
+            <button
+              type="button"
+              class="button"
+              title="The robot breaks what is in its way itself, as a bulldozer does"
+              onClick={() => studio.editor.leaveItAlone()}
+            >
+              Robot alone
+            </button>
+          )}
         </div>
       )}
     </Section>

@@ -1,5 +1,5 @@
 // How many obstacles may go: a slider, and under it what each number reaches.
-import { aircraftOf } from "../domain/agents";
+import { canOpen } from "../domain/agents";
 import { mostRemovals, withEnoughRemovals } from "../domain/mission";
 import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
@@ -14,7 +14,7 @@ export function Removals({ page, studio }: { page: PageState; studio: Studio | n
   const shown = page.shown.value;
   if (!mission || !shown) return null;
   if (!studio && !page.results.front.value) return null;
-  if (aircraftOf(mission.agents).length === 0) return null; // nobody opens anything
+  if (!canOpen(mission.agents)) return null;
   const auto = mission.removals === "auto";
   const price = `≥ ${duration(mission.price, page.units.value)}`;
   const count =

@@ -22,7 +22,7 @@ export function RemovedTable({ page, studio }: { page: PageState; studio: Studio
   );
   const noun = nounOf(2, buildings);
   const team = isTeam(plan);
-  const users = team ? usersOf(plan, shown.map.cells, (id) => radiusOf(page, id)) : null;
+  const users = vehicleCount(plan) > 1 ? usersOf(plan, shown.map.cells, (id) => radiusOf(page, id)) : null;
   const ordered = [...plan.removed].sort((a, b) => a.cleared_at - b.cleared_at);
   const title = `Removed ${noun}`;
   return (
@@ -40,7 +40,7 @@ export function RemovedTable({ page, studio }: { page: PageState; studio: Studio
             <th scope="col">{buildings ? "Building" : "Obstacle"}</th>
             <th scope="col">Opened</th>
             <th scope="col">Entered</th>
-            <th scope="col">{team ? "For" : "If kept"}</th>
+            <th scope="col">{users ? "For" : "If kept"}</th>
           </tr>
         </thead>
         <tbody>
@@ -63,6 +63,10 @@ export function RemovedTable({ page, studio }: { page: PageState; studio: Studio
   );
 }
 
+function vehicleCount({ agents }: Plan): number {
+  return agents.filter(({ kind }) => kind === "ground").length;
+}
+
 function radiusOf(page: PageState, id: string): number {
   const agent = page.mission.value?.agents.find((one) => one.id === id);
   return agent?.kind === "ground" ? agent.radius : 0;
@@ -73,7 +77,7 @@ interface RowProps {
   studio: Studio | null;
   removed: Removed;
   order: number;
-  users: readonly string[] | null; // of a team: who drives there
+  users: readonly string[] | null; // of several vehicles: who drives there
 }
 
 function Row({ page, studio, removed, order, users }: RowProps) {

@@ -1,7 +1,7 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
-import { drivesAlone, hasPaperMethod } from "../domain/agents";
+import { canOpen, drivesAlone, hasPaperMethod } from "../domain/agents";
 import { alsoNames } from "../domain/also";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
@@ -43,14 +43,13 @@ export function questionOf(
   const [protect, force] = [[...ids("protect"), ...rules.map(filterText)], ids("force")];
   if (protect.length > 0) options.protect = protect;
   if (force.length > 0) options.force = force;
-  const canOpen = mission.agents.some((agent) => agent.kind === "air");
   return {
     of: mission,
     map,
     mission: documentOf(mission, units),
     options,
     method: hasPaperMethod(mission.agents) ? mission.method : "exact",
-    removals: canOpen || mission.removals !== "auto" ? mission.removals : 0,
+    removals: canOpen(mission.agents) || mission.removals !== "auto" ? mission.removals : 0,
     price: mission.price,
     withBefore: mission.layers.includes("before"),
   };
@@ -62,9 +61,8 @@ function documentOf({ agents, separation, atGoal, zones }: Mission, units: Units
   return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
 }
 
-// Without aircraft nothing is removed.
-export function canRemove({ mission }: Question): boolean {
-  return mission.agents.some((agent) => agent.kind === "air");
+export function canRemove({ of }: Question): boolean {
+  return canOpen(of.agents);
 }
 
 // A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way

@@ -19,7 +19,8 @@ export interface Lane {
   id: string;
   kind: Agent["kind"];
   spans: Span[];
-  moments: Moment[]; // air: breached by it; of a pair's ground agent: entered
+  opens: boolean; // obstacles, else what it enters
+  moments: Moment[]; // breached by it; of a pair's ground agent: entered
 }
 
 // One for each agent, vehicles first.
@@ -28,12 +29,13 @@ export function lanes(plan: Plan): Lane[] {
   const vehicles = plan.agents.filter((agent) => agent.kind === "ground");
   const aircraft = plan.agents.filter((agent) => agent.kind === "air");
   return [...vehicles, ...aircraft].map(({ id, kind, ...agent }): Lane => {
+    const opens = kind === "air" || plan.removed.some(({ by }) => by === id);
     const moments = order.flatMap(({ obstacle, by, cleared_at, entered_at }, i): Moment[] => {
-      const time = kind === "air" ? cleared_at : entered_at;
+      const time = opens ? cleared_at : entered_at;
       const isOthers = by !== undefined && by !== id; // who enters is not said of a team
       return time === null || isOthers ? [] : [{ number: i + 1, obstacle, time }];
     });
-    return { id, kind, spans: spans({ id, kind, ...agent }), moments };
+    return { id, kind, opens, spans: spans({ id, kind, ...agent }), moments };
   });
 }
 

@@ -110,8 +110,8 @@ function AgentLane({ lane, look, ...bars }: LaneProps) {
 // Attributes of SVG, no style: the page's security policy forbids styles in elements.
 function LaneBars({ lane, share, pixels, formatTime, onWait }: Omit<LaneProps, "look">) {
   const stripes = useId();
-  const verb = lane.kind === "air" ? "breached" : "entered";
-  const radius = lane.kind === "air" ? 8 : 4;
+  const verb = lane.opens ? "breached" : "entered";
+  const radius = lane.opens ? 8 : 4;
   // What happens at nearly the same time stands side by side.
   const places = spread(lane.moments.map(({ time }) => pixels(time)), 2 * radius + 1);
   return (
@@ -138,10 +138,10 @@ function LaneBars({ lane, share, pixels, formatTime, onWait }: Omit<LaneProps, "
         </rect>
       ))}
       {lane.moments.map(({ number, time }, i) => (
-        <g key={number} class="lane-moment">
+        <g key={number} class={lane.opens ? "lane-moment" : "lane-moment lane-entered"}>
           <title>{`${number} ${verb} at ${formatTime(time)}`}</title>
           <circle cx={places[i]} cy="50%" r={radius} />
-          {lane.kind === "air" && (
+          {lane.opens && (
             <text x={places[i]} y="50%" dy="0.36em">
               {number}
             </text>

@@ -18,7 +18,7 @@ export class Story {
     if (!agent) return "waits";
     if (agent.kind === "air") return this.#flownVerb(agent, time);
     const wait = agent.waits?.find(({ from, until }) => from <= time && time < until);
-    return wait ? this.#drivenVerb(wait) : "waits";
+    return wait ? this.#drivenVerb(id, wait) : "waits";
   }
 
   // Who waits at a time, and what for; null if nobody does.
@@ -30,9 +30,11 @@ export class Story {
     return [...told, ...(more > 0 ? [more === 1 ? "one more waits" : `${more} more wait`] : [])].join("; ");
   }
 
-  #drivenVerb({ reason, obstacle, agent }: ExplainedWait): string {
+  #drivenVerb(id: string, { reason, obstacle, agent }: ExplainedWait): string {
     if (reason === "readiness") return "is not ready yet";
     if (reason === "agent") return `lets ${nameOf({ id: agent!, kind: "ground" })} pass`;
+    if (reason === "opening" && agent === undefined) return "waits for what opens by itself";
+    if (reason === "opening" && agent === id) return `opens ${this.#numbers.get(obstacle!)}`;
     if (reason === "opening") return `waits for ${nameOf({ id: agent!, kind: "air" })} to open ${this.#numbers.get(obstacle!)}`;
     return "waits";
   }

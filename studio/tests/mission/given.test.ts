@@ -242,7 +242,7 @@ it("a mission file says what is left out of it", () => {
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
     "weights of agents",
-    "breaches of vehicles",
+    "breaches of vehicles beside others",
   ]);
 });
 

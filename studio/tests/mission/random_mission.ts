@@ -1,5 +1,5 @@
 // Missions with everything that one can say.
-import { type Agents, hasPaperMethod, type MissionAgent, usualId } from "../../src/domain/agents";
+import { changed, type Agents, hasPaperMethod, type MissionAgent, usualId } from "../../src/domain/agents";
 import type { Cell, Point, Run } from "../../src/domain/geometry";
 import { type LayerName, type Mark, type Mission, wallKey } from "../../src/domain/mission";
 import type { Zone } from "../../src/domain/zone";
@@ -29,6 +29,7 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     speed: random.oneOf([1, 2.5, 0.1 + 0.2]),
     radius: random.oneOf([0.5, 0, 1.5]),
     readyAt: random.oneOf([0, 0, 12.5]),
+    breaches: 0,
   }));
   const aircraft = Array.from({ length: isPair ? 1 : random.below(3) }, (_, i): MissionAgent => ({
     kind: "air",
@@ -38,7 +39,8 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     speed: random.oneOf([1, 10, 1 / 3]),
     breaches: random.oneOf([null, 0, 3]),
   }));
-  return [...vehicles, ...aircraft];
+  const agents = [...vehicles, ...aircraft];
+  return agents.length === 1 ? changed(agents, 0, { breaches: random.below(4) }) : agents;
 }
 
 function randomZones(random: Random): Zone[] {
