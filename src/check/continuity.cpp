@@ -11,7 +11,7 @@ namespace waybreaker {
 namespace {
 
 // A stop between two bends is at a cell centre beside the path.
-constexpr double aside = 1.5;  // cells
+constexpr double aside = 2.13;  // cells: the farthest of the nine centres around a place
 
 std::string text(ObstacleId id) {
     return "obstacle " + std::to_string(id.value);
@@ -207,17 +207,19 @@ class ContinuityJudge {
         return found == openings.end() ? nullptr : &*found;
     }
 
-    // The aircraft of a breach, and whether it has left the end of the work behind.
+    // Who makes a breach, and whether it has left the end of the work behind.
     struct Breacher {
-        const Itinerary* aircraft = nullptr;
+        const Itinerary* agent = nullptr;
         bool done = false;
     };
     Breacher breacher_of(const Breach& breach) const {
         for (const Itinerary& agent : old_.agents) {
-            if (agent.kind != AgentKind::air || (!breach.by.empty() && agent.id != breach.by)) continue;
+            const bool flies = agent.kind == AgentKind::air;
+            if (breach.by.empty() ? !flies : agent.id != breach.by) continue;
             for (std::size_t k = agent.path.size(); k-- > 0;) {
                 const Waypoint& p = agent.path[k];
-                if (p.x != breach.at.x || p.y != breach.at.y || !same(p.t, breach.cleared_at)) continue;
+                if (flies && (p.x != breach.at.x || p.y != breach.at.y)) continue;
+                if (!same(p.t, breach.cleared_at)) continue;
                 const AgentState* state = named(state_.agents, agent.id);
                 return {&agent, state != nullptr ? k <= state->passed : breach.cleared_at <= state_.now};
             }
@@ -241,10 +243,10 @@ class ContinuityJudge {
             const bool is_open = !failed && (breacher.done || opening(state_.opened, id) != nullptr);
             if (is_open && known == nullptr) say("the plan does not know that " + text(id) + " is open", "", id);
             if (known != nullptr && !failed) ++opened;
-            if ((failed || known != nullptr) && breacher.aircraft != nullptr) {
-                const auto tried = std::ranges::find(tries, breacher.aircraft->id, &std::pair<std::string, int>::first);
+            if ((failed || known != nullptr) && breacher.agent != nullptr) {
+                const auto tried = std::ranges::find(tries, breacher.agent->id, &std::pair<std::string, int>::first);
                 if (tried == tries.end())
-                    tries.emplace_back(breacher.aircraft->id, 1);
+                    tries.emplace_back(breacher.agent->id, 1);
                 else
                     ++tried->second;
             }
@@ -252,7 +254,7 @@ class ContinuityJudge {
                 // Its breach has begun: whoever makes it stays until it is done.
                 bool bound = false;
                 for (const Decision& d : decisions_) {
-                    bound = bound || (breacher.aircraft != nullptr && d.agent == breacher.aircraft->id &&
+                    bound = bound || (breacher.agent != nullptr && d.agent == breacher.agent->id &&
                                       d.time >= known->at - slack(known->at));
                 }
                 if (!bound) say("nobody breaches " + text(id) + " by the time that it is said to open", "", id);
@@ -292,8 +294,11 @@ class ContinuityJudge {
         for (const auto& [id, count] : tries) {
             const Agent* was = named(old_mission_.agents, id);
             const Agent* is = named(mission_.agents, id);
-            if (was == nullptr || is == nullptr || was->breaches == any_number) continue;
-            if (is->breaches != std::max(was->breaches - count, 0))
+            if (was == nullptr || is == nullptr) continue;
+            const auto may = [](const Agent& agent) {
+                return agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches;
+            };
+            if (may(*was) != any_number && may(*is) != std::max(may(*was) - count, 0))
                 say("the " + id + " agent may breach another number", id);
         }
     }

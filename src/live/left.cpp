@@ -16,7 +16,7 @@ bool before(double a, double b) {
     return a < b || same_time(a, b);
 }
 
-// A breach on the path of its aircraft: the points at which it begins and ends, which are one where it takes no time.
+// A breach on the path of who makes it: the points at which it begins and ends, which are one where it takes no time.
 struct Work {
     std::size_t agent;
     std::size_t first;
@@ -28,12 +28,15 @@ std::optional<Work> work_of(const Report& report, const Breach& breach) {
     const double begun = breach.cleared_at - time;
     for (std::size_t i = 0; i < report.plan.agents.size(); ++i) {
         const Itinerary& agent = report.plan.agents[i];
-        if (agent.kind != AgentKind::air || (!breach.by.empty() && agent.id != breach.by)) continue;
-        const auto is_there = [&](const Waypoint& q) { return q.x == breach.at.x && q.y == breach.at.y; };
-        for (std::size_t last = 0; last < agent.path.size(); ++last) {
-            if (!is_there(agent.path[last]) || !same_time(agent.path[last].t, breach.cleared_at)) continue;
+        const bool flies = agent.kind == AgentKind::air;
+        if (breach.by.empty() ? !flies : agent.id != breach.by) continue;
+        const std::vector<Waypoint>& path = agent.path;
+        for (std::size_t last = 0; last < path.size(); ++last) {
+            // A ground agent stops on a move.
+            if (flies && (path[last].x != breach.at.x || path[last].y != breach.at.y)) continue;
+            if (!same_time(path[last].t, breach.cleared_at)) continue;
             std::size_t first = last;
-            while (first > 0 && is_there(agent.path[first - 1]) && !before(agent.path[first].t, begun)) --first;
+            while (first > 0 && same_place(path[first - 1], path[last]) && !before(path[first].t, begun)) --first;
             return Work{i, first, last};
         }
     }
@@ -153,9 +156,10 @@ Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
     for (std::size_t i = 0; i < outlooks.size(); ++i) {
         const Breach& breach = report.plan.breaches[i];
         if (!outlooks[i].failed && !outlooks[i].opens) continue;
-        Agent* aircraft = tried_by(breach);
-        if (aircraft != nullptr && aircraft->breaches != any_number)
-            aircraft->breaches = std::max(aircraft->breaches - 1, 0);
+        if (Agent* agent = tried_by(breach); agent != nullptr) {
+            int& left_to_it = agent->kind == AgentKind::air ? agent->breaches : agent->own_breaches;
+            if (left_to_it != any_number) left_to_it = std::max(left_to_it - 1, 0);
+        }
         if (outlooks[i].failed) {
             add_failure(breach.obstacle, rules);
             continue;

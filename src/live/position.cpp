@@ -39,6 +39,18 @@ std::vector<Waypoint> until(const std::vector<Waypoint>& path, double time) {
     return part;
 }
 
+namespace {
+
+// Whether it stays there for as long as a breach takes.
+bool works_until(const Itinerary& agent, std::size_t point) {
+    if (agent.kind == AgentKind::air) return true;
+    return std::ranges::any_of(agent.waits, [&](const Wait& wait) {
+        return wait.agent == agent.id && std::abs(wait.until - agent.path[point].t) <= near_enough;
+    });
+}
+
+}  // namespace
+
 Position position_of(const Itinerary& agent, const AgentState* state, double now) {
     const std::vector<Waypoint>& path = agent.path;
     Position position;
@@ -64,8 +76,7 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
         const Waypoint& last = position.ahead.back();
         const double driven = distance(place(last), place(path[i]));
         const bool stays = i > 0 && same_place(path[i - 1], path[i]);
-        // An aircraft stays for as long as its work takes.
-        const bool works = agent.kind == AgentKind::air && i > position.next;
+        const bool works = i > position.next && works_until(agent, i);
         double t = path[i].t;
         if (!position.on_time) {
             const double stays_until = works ? last.t + (path[i].t - path[i - 1].t) : std::max(path[i].t, last.t);

@@ -102,7 +102,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         if (agent.kind == AgentKind::ground) {
             vehicles.push_back(agents.size());
             // One that has arrived may have to make way, from now on.
-            choices.push_back(bases_of(ground, agent, positions[i], report.decided, most));
+            const double bound = live::bound_until(report, i, positions[i]);
+            choices.push_back(bases_of(ground, agent, positions[i], bound, most));
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
@@ -183,6 +184,7 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
             Mission own{{agent}, placed.rules};
             own.rules.zones = live::zones_for(std::move(own.rules.zones), own.agents);
             own.agents.front().approach.clear();
+            own.agents.front().own_breaches = 0;
             own.rules.force.clear();
             const Plan its = plan(own);
             if (its.status == PlanStatus::solved) route = its.after.ground();
@@ -251,9 +253,6 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (mission.opens_own_way())
-        throw InputError(ErrorCode::contradiction, "own_breaches",
-                         "a mission of an agent that opens its own way cannot be planned anew on its way yet");
     if (!mission.rules.collisions)
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");

@@ -1,0 +1,96 @@
+// Missions under way of an agent that opens its own way.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "checked_plan.hpp"
+#include "live/underway.hpp"
+#include "waybreaker/revise.hpp"
+
+namespace waybreaker {
+namespace {
+
+std::string own_faults(const Underway& old, const Revision& next) {
+    std::string faults = plan_faults(next.map, next.mission, next.plan);
+    for (const Violation& violation : check_continuity(old.mission, old.plan, old.state, next.mission, next.plan))
+        faults += line_of(violation) + "\n";
+    return faults;
+}
+
+Underway any_own_way(int side) {
+    const PlainMap plain = *random_map(side, side);
+    Underway drawn{Map(plain.grid()), any_mission(plain, 1, 1)};
+    drawn.mission.agents.resize(1);
+    Agent& dozer = drawn.mission.agents.front();
+    dozer.own_breaches = *number(1, 4);
+    dozer.body.radius = *rc::gen::element(0.0, 0.4, 0.5, 0.9);
+    drawn.mission.rules.removals = *number(1, 4);
+    try {
+        validate(drawn.map, drawn.mission);
+    } catch (const InputError&) {
+        RC_DISCARD("no room");
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    drawn.state.sequence = 1;
+    drawn.state.now = drawn.plan.agents.front().path.back().t * *number(0, 100) / 100;
+    return drawn;
+}
+
+double arrival(const Plan& plan) {
+    return plan.agents.front().path.back().t;
+}
+
+RC_GTEST_PROP(ReviseOwnWay, WithoutNewsIsNoLater, ()) {
+    const Underway old = any_own_way(14);
+    Planner planner;
+    const double reaction = *rc::gen::element(0.0, 0.0, 1.5);
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, reaction);
+    RC_CLASSIFY(next.status == RevisionStatus::kept);
+    RC_CLASSIFY(!old.plan.breaches.empty());
+    RC_ASSERT(next.plan.status == PlanStatus::solved);
+    RC_ASSERT(own_faults(old, next) == "");
+    RC_ASSERT(arrival(next.plan) <= std::max(arrival(old.plan), old.state.now + reaction) * (1 + 1e-9));
+}
+
+// The obstacle stands, and the agent before it.
+RC_GTEST_PROP(ReviseOwnWay, AfterAFailedBreachTheRestIsValid, ()) {
+    Underway old = any_own_way(14);
+    RC_PRE(!old.plan.breaches.empty());
+    const Breach failed = old.plan.breaches[std::size_t(*number(0, int(old.plan.breaches.size()) - 1))];
+    old.state.now = failed.cleared_at;
+    old.state.failed = {{failed.obstacle, failed.cleared_at}};
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    RC_CLASSIFY(next.plan.status == PlanStatus::solved);
+    if (next.plan.status != PlanStatus::solved) return;
+    RC_ASSERT(own_faults(old, next) == "");
+    RC_ASSERT(next.mission.agents.front().own_breaches < old.mission.agents.front().own_breaches);
+    const bool again =
+        std::ranges::find(next.plan.breaches, failed.obstacle, &Breach::obstacle) != next.plan.breaches.end();
+    if (old.mission.rules.retries == 0) RC_ASSERT(!again);
+    RC_ASSERT(arrival(next.plan) >= arrival(old.plan) * (1 - 1e-9));
+}
+
+RC_GTEST_PROP(ReviseOwnWay, AfterAnyNewsTheRestIsValid, ()) {
+    Underway old = any_own_way(14);
+    Planner planner;
+    for (int round = 1; round <= 3; ++round) {
+        old.state.sequence = std::uint64_t(round);
+        report_any_news(old);
+        const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, *rc::gen::element(0.0, 1.0));
+        RC_CLASSIFY(next.status == RevisionStatus::revised);
+        RC_CLASSIFY(next.status == RevisionStatus::kept);
+        RC_CLASSIFY(next.status == RevisionStatus::broken);
+        if (next.plan.status != PlanStatus::solved) return;
+        RC_ASSERT(own_faults(old, next) == "");
+        const double since = old.state.now;
+        old = {next.map, next.mission, next.plan, {}};
+        old.state.now = since + *number(0, 6);
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker
