@@ -29,7 +29,6 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
-    if (mission.opens_own_way()) contradiction("a plan of an agent that opens its own way cannot be rehearsed yet");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }

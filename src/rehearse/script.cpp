@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rehearse/trail.hpp"
 
@@ -40,12 +41,13 @@ Stop& stop_at(Script& script, const std::vector<Waypoint>& path, std::size_t poi
     return *script.insert(there, stop);
 }
 
-// The point of an aircraft's path at which a breach is done. An aircraft that is revised while it leaves the breach
-// cell begins beside its centre, by less than one can see.
+// The point of an agent's path at which its breach is done. An aircraft that is revised while it leaves the breach cell
+// begins beside its centre, by less than one can see; a ground agent stops where it touches.
 std::optional<std::size_t> end_of(const Itinerary& agent, const Breach& breach) {
-    if (agent.kind != AgentKind::air || (!breach.by.empty() && breach.by != agent.id)) return std::nullopt;
+    const bool flies = agent.kind == AgentKind::air;
+    if (breach.by.empty() ? !flies : breach.by != agent.id) return std::nullopt;
     std::optional<std::size_t> end;
-    double least = 0.5;  // cells
+    double least = flies ? 0.5 : std::numeric_limits<double>::infinity();  // cells
     for (std::size_t i = 0; i < agent.path.size(); ++i) {
         const double away = distance(place(agent.path[i]), Point(breach.at));
         if (away >= least || !same_time(agent.path[i].t, breach.cleared_at)) continue;

@@ -19,21 +19,8 @@ std::string own_faults(const Underway& old, const Revision& next) {
     return faults;
 }
 
-Underway any_own_way(int side) {
-    const PlainMap plain = *random_map(side, side);
-    Underway drawn{Map(plain.grid()), any_mission(plain, 1, 1)};
-    drawn.mission.agents.resize(1);
-    Agent& dozer = drawn.mission.agents.front();
-    dozer.own_breaches = *number(1, 4);
-    dozer.body.radius = *rc::gen::element(0.0, 0.4, 0.5, 0.9);
-    drawn.mission.rules.removals = *number(1, 4);
-    try {
-        validate(drawn.map, drawn.mission);
-    } catch (const InputError&) {
-        RC_DISCARD("no room");
-    }
-    drawn.plan = Planner().plan(drawn.map, drawn.mission);
-    RC_PRE(drawn.plan.status == PlanStatus::solved);
+Underway any_underway_alone() {
+    Underway drawn = any_own_way(14, 1);
     drawn.state.sequence = 1;
     drawn.state.now = drawn.plan.agents.front().path.back().t * *number(0, 100) / 100;
     return drawn;
@@ -44,7 +31,7 @@ double arrival(const Plan& plan) {
 }
 
 RC_GTEST_PROP(ReviseOwnWay, WithoutNewsIsNoLater, ()) {
-    const Underway old = any_own_way(14);
+    const Underway old = any_underway_alone();
     Planner planner;
     const double reaction = *rc::gen::element(0.0, 0.0, 1.5);
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, reaction);
@@ -57,7 +44,7 @@ RC_GTEST_PROP(ReviseOwnWay, WithoutNewsIsNoLater, ()) {
 
 // The obstacle stands, and the agent before it.
 RC_GTEST_PROP(ReviseOwnWay, AfterAFailedBreachTheRestIsValid, ()) {
-    Underway old = any_own_way(14);
+    Underway old = any_underway_alone();
     RC_PRE(!old.plan.breaches.empty());
     const Breach failed = old.plan.breaches[std::size_t(*number(0, int(old.plan.breaches.size()) - 1))];
     old.state.now = failed.cleared_at;
@@ -75,7 +62,7 @@ RC_GTEST_PROP(ReviseOwnWay, AfterAFailedBreachTheRestIsValid, ()) {
 }
 
 RC_GTEST_PROP(ReviseOwnWay, AfterAnyNewsTheRestIsValid, ()) {
-    Underway old = any_own_way(14);
+    Underway old = any_underway_alone();
     Planner planner;
     for (int round = 1; round <= 3; ++round) {
         old.state.sequence = std::uint64_t(round);

@@ -81,6 +81,25 @@ inline Underway any_planned(int side, int most_vehicles, int most_retries, bool 
     return drawn;
 }
 
+// Of one agent that opens its own way; before it begins.
+inline Underway any_own_way(int side, int most_retries) {
+    const PlainMap plain = *random_map(side, side);
+    Underway drawn{Map(plain.grid()), any_mission(plain, 1, most_retries)};
+    drawn.mission.agents.resize(1);
+    Agent& dozer = drawn.mission.agents.front();
+    dozer.own_breaches = *number(1, 4);
+    dozer.body.radius = *rc::gen::element(0.0, 0.4, 0.5, 0.9);
+    drawn.mission.rules.removals = *number(1, 4);
+    try {
+        validate(drawn.map, drawn.mission);
+    } catch (const InputError&) {
+        RC_DISCARD("no room");
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    return drawn;
+}
+
 // Some time after it began; nothing is reported but that.
 inline Underway any_underway(int side, bool zoned = false) {
     Underway drawn = any_planned(side, 2, 1, zoned);

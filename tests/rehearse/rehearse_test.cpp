@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -82,6 +83,18 @@ RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
 
 RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereThereAreZones, ()) {
     expect_legal(any_rehearsable(14, 3, true));
+}
+
+RC_GTEST_PROP(Rehearse, NoRunOfAnAgentThatOpensItsOwnWayIsIllegal, ()) {
+    expect_legal(any_own_way(14, 2));
+}
+
+RC_GTEST_PROP(Rehearse, OfAnAgentThatOpensItsOwnWayIsAsPlannedWithoutDraws, ()) {
+    const Rehearsable drawn = any_own_way(14, 2);
+    const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
+    RC_ASSERT(faults(rehearsal) == "");
+    RC_ASSERT(rehearsal.arrived == 1);
+    RC_ASSERT(std::abs(rehearsal.makespan.worst - rehearsal.planned) <= 1e-6 * (1 + rehearsal.planned));
 }
 
 // As after a breach that has failed when the aircraft was about to leave.
