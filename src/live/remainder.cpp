@@ -43,7 +43,12 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         if (outlooks[i].failed) return std::nullopt;
         if (outlooks[i].opens) continue;
         if (known.obstacle(old.breaches[i].obstacle).cells != old.breaches[i].cells) return std::nullopt;
-        rest.breaches.push_back(old.breaches[i]);
+        Breach& kept = rest.breaches.emplace_back(old.breaches[i]);
+        // What is open by now counts no more.
+        const auto is_open = [&](ObstacleId id) {
+            return std::ranges::find(left.rules.opened, id, &TimedOpening::obstacle) != left.rules.opened.end();
+        };
+        if (kept.if_failed) std::erase_if(kept.if_failed->removed, is_open);
         openings.push_back({old.breaches[i].obstacle, old.breaches[i].cleared_at});
     }
     const Ground ground{known, openings};

@@ -203,6 +203,19 @@ bool same_bases(const Mission& a, const Mission& b) {
     return std::ranges::equal(a.agents, b.agents, {}, &Agent::approach, &Agent::approach);
 }
 
+// What a ground agent breaches itself on its base is done when it decides.
+std::vector<Outlook> with_breaches_on_bases(const Report& report, std::span<const Outlook> outlooks,
+                                            const Mission& placed) {
+    std::vector<Outlook> all(outlooks.begin(), outlooks.end());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Breach& breach = report.plan.breaches[i];
+        const auto agent = std::ranges::find(placed.agents, breach.by, &Agent::id);
+        if (agent == placed.agents.end() || agent->kind == AgentKind::air || all[i].opens || all[i].failed) continue;
+        if (breach.cleared_at <= agent->ready_at) all[i].opens = breach.cleared_at;
+    }
+    return all;
+}
+
 // The rest of the old plan in place of the new one, where that is no better.
 void keep_if_no_worse(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
                       const Mission& left, const Map& known, const std::function<Plan(const Mission&)>& plan,
@@ -213,7 +226,12 @@ void keep_if_no_worse(const Report& report, std::span<const Position> positions,
     const Objective objective = left.rules.objective;
     if (!rest || reached(*rest, objective) > reached(next.plan, objective) * (1 + 1e-9)) return;
     // What is proven is of agents that are free at the same places.
-    if (!same_bases(placed, next.mission)) next.plan = plan(placed);
+    if (!same_bases(placed, next.mission)) {
+        const std::vector<Outlook> all = with_breaches_on_bases(report, outlooks, placed);
+        Mission decided = live::left_of(report, all);
+        if (!place_agents(report, positions, all, known, Placing::as_planned, decided)) return;
+        next.plan = plan(decided);
+    }
     live::compare(*rest, next.plan, objective);
     if (next.plan.status != PlanStatus::solved) rest->before = alone(placed, plan);
     add_waits(next.map, placed, *rest);

@@ -163,6 +163,11 @@ export function isTeam({ after }: Plan): boolean {
   return after.routes !== undefined;
 }
 
+// Where a ground agent stands to breach what is in its way itself.
+export function ownBreaches({ id, waits = [] }: Agent): ExplainedWait[] {
+  return waits.filter(({ reason, agent }) => reason === "opening" && agent === id);
+}
+
 export function objectiveOf(plan: Plan): Objective {
   return plan.options.objective ?? "makespan";
 }

@@ -189,14 +189,7 @@ function drivenIn(plan: Plan, news: News): ReadonlyMap<string, TimedPoint[]> {
 
 // Plans whose timing is ignored enter what still stands.
 export function isRehearsable(plan: Plan | null): boolean {
-  if (plan === null || plan.status !== "solved" || plan.agents.length === 0) return false;
-  return plan.options.timing !== "ignore" && !opensOwnWay(plan);
-}
-
-// Such missions cannot be revised.
-function opensOwnWay({ mission }: Plan): boolean {
-  const agents = (mission?.agents ?? []) as { kind?: string; breaches?: number }[];
-  return agents.some(({ kind, breaches = 0 }) => kind === "ground" && breaches > 0);
+  return plan !== null && plan.status === "solved" && plan.agents.length > 0 && plan.options.timing !== "ignore";
 }
 
 function rehearsedOf(steps: readonly Step[]): Rehearsed | null {

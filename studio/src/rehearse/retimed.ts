@@ -1,5 +1,5 @@
 // What becomes of a plan when a vehicle is late and everybody keeps to its orders: who has to wait for it does.
-import type { Agent, Order, PathMoment, Plan, TimedPoint } from "../domain/plan";
+import { type Agent, type Order, ownBreaches, type PathMoment, type Plan, type TimedPoint } from "../domain/plan";
 
 // A point of a planned path, or a place on the way where somebody waits, as it comes to be.
 export interface Stop {
@@ -81,8 +81,10 @@ function timeAt(stops: readonly Stop[], position: number, which: "arrives" | "le
   return before.leaves + share * (after.arrives - before.leaves);
 }
 
-// Vehicles leave no place before they were to, and wait less where they come late; aircraft work for as long as it takes.
-function stopsOf({ path, kind }: Agent, holds: ReadonlyMap<number, number>): Stop[] {
+// Vehicles leave no place before they were to, and wait less where they come late; a breach takes as long as it takes.
+function stopsOf(agent: Agent, holds: ReadonlyMap<number, number>): Stop[] {
+  const { path, kind } = agent;
+  const works = (until: number) => kind === "air" || ownBreaches(agent).some((one) => Math.abs(one.until - until) < rounding);
   const positions = [...new Set([...path.keys(), ...holds.keys()])].sort((a, b) => a - b);
   const stops: Stop[] = [];
   for (const position of positions) {
@@ -93,7 +95,7 @@ function stopsOf({ path, kind }: Agent, holds: ReadonlyMap<number, number>): Sto
 
     function arrival(last: Stop, was: { x: number; y: number; t: number }): number {
       const waits = was.x === x && was.y === y;
-      return waits && kind === "ground" ? Math.max(t, last.leaves) : last.leaves + t - was.t;
+      return waits && !works(t) ? Math.max(t, last.leaves) : last.leaves + t - was.t;
     }
   }
   return stops;

@@ -1,7 +1,7 @@
 // The state of a plan at a time (docs/live.md): where each agent is on its path, what it does, and the news.
 import type { AgentState, StateDocument } from "../api/documents";
 import type { Point } from "../domain/geometry";
-import type { Agent, Plan, TimedPoint } from "../domain/plan";
+import { type Agent, ownBreaches, type Plan, type TimedPoint } from "../domain/plan";
 import { cellsOf } from "../domain/rubble";
 import { knownAt, type News } from "./news";
 import { retimed, type Stop } from "./retimed";
@@ -51,9 +51,10 @@ function stopsOn(path: readonly TimedPoint[]): Stop[] {
 const beside = 1e-6;
 
 // An aircraft that stands is at work on what it clears next, if it does so there.
-function doingOf({ removed }: Plan, { id, kind }: Agent, { at, stands }: Place, now: number): AgentState["doing"] {
+function doingOf({ removed }: Plan, agent: Agent, { at, stands }: Place, now: number): AgentState["doing"] {
+  const { id, kind } = agent;
   if (!stands) return "driving";
-  if (kind === "ground") return "waiting";
+  if (kind === "ground") return ownBreaches(agent).some(({ from, until }) => from <= now && now < until) ? "breaching" : "waiting";
   const isAtWork = removed.some(
     ({ by = id, at: [x, y], cleared_at: cleared }) => by === id && cleared > now && Math.hypot(x - at[0], y - at[1]) < beside,
   );

@@ -18,6 +18,13 @@ describe("a plan whose vehicle is late", () => {
     expect(paths("rover", 2, 8).rover!.at(-1)).toEqual([12, 0, 20]);
   });
 
+  it("works as long as it takes where it opens its own way", () => {
+    const [rover] = yard().agents;
+    const own = { ...rover!, waits: [{ at: [4, 0] as [number, number], from: 4, until: 10, reason: "opening" as const, obstacle: 7, agent: "rover" }] };
+    const late = retimed({ ...yard(), agents: [own], orders: [] }, "rover", 2, 5);
+    expect(pathOf(late.get("rover")!)).toEqual([[0, 0, 0], [2, 0, 2], [2, 0, 7], [4, 0, 9], [4, 0, 15], [12, 0, 23]]);
+  });
+
   it("puts off who may not go before it, and nobody else", () => {
     const { rover, truck, drone } = paths("rover", 9, 10);
     expect(rover!.at(-1)).toEqual([12, 0, 27]);

@@ -37,6 +37,14 @@ describe("the state of a plan", () => {
     expect(agentsAt({ ...plan, removed: [{ ...plan.removed[0]!, by: "kite" }] }, 8).drone!.doing).toBe("driving");
   });
 
+  it("has a vehicle at work that opens its own way", () => {
+    const plan = yard();
+    const [rover] = plan.agents;
+    const own = { ...rover!, waits: [{ at: [4, 0] as [number, number], from: 4, until: 10, reason: "opening" as const, obstacle: 7, agent: "rover" }] };
+    expect(agentsAt({ ...plan, agents: [own] }, 8).rover!.doing).toBe("breaching");
+    expect(agentsAt({ ...plan, agents: [own] }, 14).rover!.doing).toBe("driving");
+  });
+
   it("counts reports upwards", () => {
     expect(stateOf(yard(), { kind: "lost", agent: "drone", at: 1 }).sequence).toBe(1);
     const revised = { ...yard(), revision: { number: 2, sequence: 5, now: 0, decided: [] } };
