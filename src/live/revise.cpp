@@ -254,6 +254,10 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     if (mission.opens_own_way())
         throw InputError(ErrorCode::contradiction, "own_breaches",
                          "a mission of an agent that opens its own way cannot be planned anew on its way yet");
+    if (mission.limits_flights())
+        throw InputError(ErrorCode::contradiction, "range",
+                         "a mission whose aircraft have a range or an endurance cannot be planned anew on its way yet: "
+                         "leave them out to revise it");
     if (!mission.rules.collisions)
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");

@@ -30,6 +30,10 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
     if (mission.opens_own_way()) contradiction("a plan of an agent that opens its own way cannot be rehearsed yet");
+    if (mission.limits_flights())
+        contradiction(
+            "a plan whose aircraft have a range or an endurance cannot be rehearsed yet: leave them out to rehearse "
+            "it");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }
