@@ -16,14 +16,19 @@ namespace {
 constexpr Range ranges{1e-6, 1e12};  // cells, or units of time
 const Units range_units{{"km", 1000}, {"m", 1}};
 
-// "900 m", "375 cells": of a flight that takes so long.
-std::string distance_text(const Agent& agent, double time, const io::PlanContext& context, const TableStyle& style) {
-    const double cells = time * agent.speed;
-    return style.metres ? fmt::format("{:.6g} m", cells * context.map.cell_size) : fmt::format("{:.6g} cells", cells);
+// What times of an aircraft's flight are said in: how far it flies in a unit of time, or themselves.
+struct FlightUnit {
+    double size;
+    std::string name;
+};
+
+FlightUnit distance_unit(const Agent& agent, const io::PlanContext& context, const TableStyle& style) {
+    if (style.metres) return {agent.speed * context.map.cell_size, "m"};
+    return {agent.speed, "cells"};
 }
 
-std::string time_text(double time, const io::PlanContext& context) {
-    return fmt::format("{:.6g} {}", time, context.asked.in_seconds ? "s" : "units of time");
+FlightUnit time_unit_of(const io::PlanContext& context) {
+    return {1, context.asked.in_seconds ? "s" : "units of time"};
 }
 
 }  // namespace
@@ -66,19 +71,14 @@ std::string ranges_left(const Plan& plan, const io::PlanContext& context, const 
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Agent& agent = context.asked.mission.agents[i];
         const double flown = plan.agents[i].path.back().t - agent.ready_at;
-        const auto add = [&](const std::string& left, const std::string& all) {
+        const auto add = [&](double all, const FlightUnit& unit) {
             const std::string reserve =
                 agent.reserve > 0 ? fmt::format(", {:.6g} % are to be in reserve", 100 * agent.reserve) : "";
-            lines += fmt::format("{} lands with {} of {} left{}\n", shortened(agent.id), left, all, reserve);
+            lines += fmt::format("{} lands with {:.6g} of {:.6g} {} left{}\n", shortened(agent.id),
+                                 std::max(all - flown, 0.0) * unit.size, all * unit.size, unit.name, reserve);
         };
-        if (std::isfinite(agent.range)) {
-            const double time = agent.range / agent.speed;
-            add(distance_text(agent, std::max(time - flown, 0.0), context, style),
-                distance_text(agent, time, context, style));
-        }
-        if (std::isfinite(agent.endurance)) {
-            add(time_text(std::max(agent.endurance - flown, 0.0), context), time_text(agent.endurance, context));
-        }
+        if (std::isfinite(agent.range)) add(agent.range / agent.speed, distance_unit(agent, context, style));
+        if (std::isfinite(agent.endurance)) add(agent.endurance, time_unit_of(context));
     }
     return lines.empty() ? "" : "\n" + lines;
 }
@@ -89,12 +89,10 @@ std::string out_of_range(const Plan& plan, const io::PlanContext& context, const
         const auto agent = std::ranges::find(context.asked.mission.agents, far.agent, &Agent::id);
         if (agent == context.asked.mission.agents.end()) continue;
         const bool by_range = agent->range / agent->speed <= agent->endurance;
-        const auto figure = [&](double time) {
-            return by_range ? distance_text(*agent, time, context, style) : time_text(time, context);
-        };
-        lines +=
-            fmt::format("{} can fly {}{}; obstacle {} and back {} {}\n", shortened(far.agent), by_range ? "" : "for ",
-                        figure(far.longest), far.obstacle.value, by_range ? "is" : "takes", figure(far.flight));
+        const FlightUnit unit = by_range ? distance_unit(*agent, context, style) : time_unit_of(context);
+        lines += fmt::format("{} can fly {}{:.6g} {}; obstacle {} and back {} {:.6g} {}\n", shortened(far.agent),
+                             by_range ? "" : "for ", far.longest * unit.size, unit.name, far.obstacle.value,
+                             by_range ? "is" : "takes", far.flight * unit.size, unit.name);
     }
     return lines.empty() ? "" : "\n" + lines;
 }

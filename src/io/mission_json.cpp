@@ -38,9 +38,8 @@ double read_positive(const JsonField& field) {
 
 double read_between(const JsonField& field, double least, double most) {
     const double value = field.number();
-    if (!(value >= least && value <= most)) {
+    if (!(value >= least && value <= most))
         field.fail("is not between " + number_text(least) + " and " + number_text(most));
-    }
     return value;
 }
 
@@ -311,17 +310,13 @@ void read_rules(const JsonField& field, MissionDocument& document) {
         }
         rules.zones = std::move(given.zones);
     }
-    if (const auto time = field.find("breach_time")) {
+    if (const auto time = field.find("breach_time"))
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
-    }
-    if (const auto time = field.find("breach_time_per_cell")) {
+    if (const auto time = field.find("breach_time_per_cell"))
         rules.breach_time.per_cell = read_between(*time, 0, most_breach_time);
-    }
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
-    if (const auto tolerance = field.find("minimise_demolition")) {
-        rules.minimise_demolition = read_share(*tolerance);
-    }
+    if (const auto tolerance = field.find("minimise_demolition")) rules.minimise_demolition = read_share(*tolerance);
     read_truth(field, "collisions", rules.collisions);
     if (const auto time = field.find("unreached")) rules.unreached = read_between(*time, 0, most_breach_time);
     if (const auto room = field.find("separation")) rules.separation = read_between(*room, 0, most_radius);
