@@ -34,7 +34,7 @@ struct Finish {
         last = std::max(last, time);
         flowtime += weighted(weight, time);
     }
-    // Never, where an aircraft would be farther than it may fly.
+    // Never, where an aircraft would fly farther than it may.
     void add(const Agent& agent, double time) {
         const bool may = agent.kind == AgentKind::ground || agent.may_land_at(time);
         add(agent.kind, may ? time : std::numeric_limits<double>::infinity(), agent.weight);
@@ -72,7 +72,7 @@ inline Rank rank(Objective objective, const Finish& finish) {
         case Objective::ground_makespan:
             break;
     }
-    // An aircraft that is home whenever it likes has to get there.
+    // Whenever the aircraft are home, they have to get there.
     return {std::isinf(finish.air) ? finish.air : finish.ground, finish.flowtime};
 }
 
