@@ -11,6 +11,7 @@
 #include "note.hpp"
 #include "places.hpp"
 #include "plan_options.hpp"
+#include "range_options.hpp"
 #include "team_options.hpp"
 #include "waybreaker/error.hpp"
 #include "zone_options.hpp"
@@ -125,7 +126,9 @@ void set_sizes(const PlanOptions& options, const io::MapFile& map, io::MissionDo
 // then move at 1 m/s.
 void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
     const auto metric = [](const std::optional<Measure>& measure) { return measure && measure->metric; };
-    const bool metric_time = metric(options.breach_time) || metric(options.breach_time_per_cell);
+    const std::optional<Measure>* const times[] = {&options.breach_time, &options.breach_time_per_cell,
+                                                   &options.endurance};
+    const auto metric_time = std::ranges::find_if(times, [&](const auto* time) { return metric(*time); });
     const auto given = [&options](const Agent& agent) -> const std::optional<Measure>& {
         return agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
     };
@@ -140,9 +143,8 @@ void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDo
         }
         document.in_seconds = true;
     }
-    if (!metric_time || document.in_seconds) return;
-    const Measure time =
-        (metric(options.breach_time) ? options.breach_time : options.breach_time_per_cell).value_or(Measure{});
+    if (metric_time == std::end(times) || document.in_seconds) return;
+    const Measure time = (*metric_time)->value_or(Measure{});
     const auto usual = [](const Agent& agent) { return agent.speed == 1; };
     if (options.ground_speed || options.air_speed || !std::ranges::all_of(document.mission.agents, usual)) {
         throw InputError(
@@ -210,6 +212,7 @@ io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument g
     set_agents(options, map, mission);
     set_sizes(options, map, result);
     set_clock(options, map, result);
+    set_ranges(options, map, result);
     set_rules(options, map, mission.rules);
     if (options.budget) result.area_budget = options.area_budget;
     set_protected(options, result);

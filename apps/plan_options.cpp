@@ -13,6 +13,7 @@
 #include "io/option_words.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
+#include "range_options.hpp"
 #include "team_options.hpp"
 #include "waybreaker/error.hpp"
 
@@ -105,6 +106,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                 "then a second (default: 1)");
     add_measure(command, "--air-speed", options.air_speed, speeds, speed_units, "SPEED",
                 "How fast the air agent flies, likewise (default: 1)");
+    add_range_options(command, options);
     add_measure(command, "--breach-time", options.breach_time, breach_times, time_units, "TIME",
                 "How long the air agent stays to breach an obstacle, beside what the map says of each; with a "
                 "unit, such as 30s or 2min, in seconds, at 1 m/s if no speeds are given (default: 0)");

@@ -40,6 +40,9 @@ struct PlanOptions {
     std::optional<FlightRule> flight;
     std::optional<Measure> ground_speed;
     std::optional<Measure> air_speed;
+    std::optional<Measure> range;      // of each aircraft
+    std::optional<Measure> endurance;  // the same
+    std::optional<double> reserve;
     std::optional<Measure> breach_time;
     std::optional<Measure> breach_time_per_cell;
     std::vector<ObstacleId> protect;

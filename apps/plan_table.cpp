@@ -11,6 +11,7 @@
 
 #include "io/option_words.hpp"
 #include "io/plan_surfaces.hpp"
+#include "range_options.hpp"
 #include "render/caption.hpp"
 #include "site/demolition.hpp"
 #include "table.hpp"
@@ -332,10 +333,12 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
                team_table(plan, context, style) +
                (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.asked.mission)) +
                next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") +
-               surface(plan, context) + bound(plan, context) + limit(plan);
+               ranges_left(plan, context, style) + out_of_range(plan, context, style) + surface(plan, context) +
+               bound(plan, context) + limit(plan);
     }
     return heading(context, style) + rules(context) + "\n" + front(context, style) + outcomes(plan, context, style) +
-           removals(plan, context, style) + next(plan, context) + waits(plan, context) + surface(plan, context) +
+           removals(plan, context, style) + next(plan, context) + waits(plan, context) +
+           ranges_left(plan, context, style) + out_of_range(plan, context, style) + surface(plan, context) +
            bound(plan, context) + limit(plan) + warning(plan, context);
 }
 

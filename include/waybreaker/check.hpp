@@ -58,15 +58,17 @@ enum class Rule {
     continuity,  // a revision goes on from where everybody is
     if_failed,   // a failed breach leaves no plan below the bound, nor more removals than allowed
     zone,        // agents keep out of zones that hold for them; what is removed reaches into none for vehicles
+    range,       // no aircraft flies farther than it may; what is out of range is
+    endurance,   // ... or longer
 };
 
 template <>
-inline constexpr std::array<std::string_view, 36> words_of<Rule>{
+inline constexpr std::array<std::string_view, 38> words_of<Rule>{
     "map",       "status",     "agents",     "start",    "goal",     "time",     "speed",           "vertex",
     "collision", "obstacle",   "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
     "order",     "next",       "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
     "bound",     "gap",        "separation", "capacity", "saves",    "gain",     "waits",           "orders",
-    "surface",   "continuity", "if_failed",  "zone"};
+    "surface",   "continuity", "if_failed",  "zone",     "range",    "endurance"};
 
 struct Violation {
     Rule rule = Rule::map;

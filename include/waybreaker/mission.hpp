@@ -5,6 +5,7 @@
 //     Plan plan = Planner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -80,6 +81,12 @@ struct Agent {
     // What its arrival counts for in the flowtime, in people or beds, 0 to most_weight_of_agent.
     double weight = 1;
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
+    // The longest flight of an air agent, from when it takes off at its start until it lands at its goal: in cells, >
+    // 0, where to hover counts as to fly at its speed; and in units of time, > 0. It keeps to both. The last share of
+    // both, 0 to below 1, is not planned with.
+    double range = std::numeric_limits<double>::infinity();
+    double endurance = std::numeric_limits<double>::infinity();
+    double reserve = 0;
     // How many obstacles in its way a ground agent may breach itself, >= 0. It stands where it touches them while it
     // does. Of a mission's only agent; then no aircraft flies.
     int own_breaches = 0;
@@ -88,6 +95,10 @@ struct Agent {
 
     // Where it is when it is ready: where its flight or drive begins.
     Point begin() const { return from.value_or(Point(start)); }
+    // How long a flight of it may take, in units of time; infinity if any time.
+    double longest_flight() const { return (1 - reserve) * std::min(range / speed, endurance); }
+    // Whether it has taken off when it was ready and lands at that time: by more than rounding.
+    bool may_land_at(double time) const { return time - ready_at <= longest_flight() * (1 + 1e-9); }
 };
 
 // Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.
@@ -153,6 +164,8 @@ struct Mission {
     bool counts_alike() const;
     // Whether a ground agent breaches what is in its way itself.
     bool opens_own_way() const;
+    // Whether some flight may be too long.
+    bool limits_flights() const;
     // How many obstacles may be removed: by the rules, and by what all agents may breach.
     int removals_allowed() const;
 

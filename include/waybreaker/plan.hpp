@@ -144,6 +144,15 @@ template <>
 inline constexpr std::array<std::string_view, 5> words_of<PlanStatus>{"solved", "no_plan", "not_found", "limit_reached",
                                                                       "stopped"};
 
+// An obstacle that no aircraft can breach and come home from, and the aircraft that comes nearest to it.
+struct OutOfRange {
+    ObstacleId obstacle;
+    std::int64_t source_id = 0;  // as Obstacle::source_id
+    std::string agent = {};
+    double flight = 0;   // there, the breach, and to the goal, in units of time
+    double longest = 0;  // that it may fly
+};
+
 // Where the base of an agent ends, in a plan that revises another: up to that point of its path it keeps to the other.
 struct Decision {
     std::string agent = {};
@@ -199,8 +208,11 @@ struct Plan {
     std::optional<double> gap = {};    // objective / bound - 1; empty without a bound or a plan
     // With Rules::minimise_demolition: no plan as good as asked for demolishes fewer cells, proven.
     std::optional<std::uint64_t> least_demolition = {};
-    std::vector<Breach> breaches = {};    // in the order of the flight; of several flights, of cleared_at
-    std::vector<NextBreach> next = {};    // if asked for: at most one
+    std::vector<Breach> breaches = {};  // in the order of the flight; of several flights, of cleared_at
+    std::vector<NextBreach> next = {};  // if asked for: at most one
+    // If explained: what is not removed only because no aircraft can fly there and home, in the order of the flight
+    // that one would make.
+    std::vector<OutOfRange> out_of_range = {};
     std::vector<Itinerary> agents = {};   // one for each agent of the mission, in its order; empty unless solved
     std::optional<Revised> revised = {};  // of a mission that was under way
     // What waits for what: an execution that keeps them has no collision, whatever comes late. Sorted by `after`.

@@ -41,6 +41,12 @@ export interface AirAgent {
   weight?: number;
   /** How many obstacles it removes at most; no limit. */
   breaches?: number;
+  /** The longest flight from its start to its goal, in cells, hovering counted; no limit. */
+  range?: number;
+  /** The same, as a time; no limit. */
+  endurance?: number;
+  /** The share of both that is not planned with; 0. */
+  reserve?: number;
 }
 
 /** An obstacle, by id, and when it opens, or its breach failed. */

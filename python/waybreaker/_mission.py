@@ -49,7 +49,8 @@ class Aircraft:
     """An air agent: flies straight over everything and breaches at most ``breaches`` obstacles (None: no limit).
 
     ``start`` and ``goal`` are cells, but ``start`` may be any place between centres, ``speed`` is in cells per unit
-    of time. ``ready_at``, ``approach`` and ``weight`` are as those of a vehicle.
+    of time. ``ready_at``, ``approach`` and ``weight`` are as those of a vehicle. It flies at most ``range`` cells
+    from start to goal, hovering counted, and for ``endurance`` units of time (None: any), less the share ``reserve``.
     """
 
     start: Tuple[float, float]
@@ -60,6 +61,9 @@ class Aircraft:
     ready_at: Optional[float] = None
     approach: Optional[Sequence[Sequence[float]]] = None
     weight: Optional[float] = None
+    range: Optional[float] = None
+    endurance: Optional[float] = None
+    reserve: Optional[float] = None
 
     @property
     def kind(self) -> Literal["air"]:

@@ -87,6 +87,7 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
     Violations all = judge_numbers(plan);
     if (!all.empty()) return all;
     all = judge_zones(map, mission, plan);
+    append(all, judge_ranges(map, mission, plan, terms));
     if (mission.is_team()) {
         const Violations others = judge_agents(mission, plan);
         append(all, others.empty() ? judge_team(map, mission, plan, terms) : others);

@@ -122,6 +122,9 @@ Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, 
 // That agents keep out of zones, and what is removed does not reach into one for vehicles.
 Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan);
 
+// That no aircraft flies farther or longer than it may, and what is said to be out of range is.
+Violations judge_ranges(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
+
 // Whether the straight way between two places leads through a zone that is closed to that aircraft.
 bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b);
 // The same, or grazes one: there is a reason to fly round.

@@ -1,6 +1,7 @@
 // The problem of a coalition: vehicles, aircraft, and what may be removed for all of them together.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -63,6 +64,7 @@ class Problem {
     // The objective where all arrivals add up to that, and the last ones are these.
     double objective(double sum, double last, double last_on_ground) const {
         if (sums()) return sum;
+        if (std::isinf(last)) return last;
         return rules().objective == Objective::makespan ? last : last_on_ground;
     }
 

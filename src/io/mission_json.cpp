@@ -38,9 +38,8 @@ double read_positive(const JsonField& field) {
 
 double read_between(const JsonField& field, double least, double most) {
     const double value = field.number();
-    if (!(value >= least && value <= most)) {
+    if (!(value >= least && value <= most))
         field.fail("is not between " + number_text(least) + " and " + number_text(most));
-    }
     return value;
 }
 
@@ -249,8 +248,8 @@ Waypoint read_waypoint(const JsonField& field) {
 }
 
 Agent read_agent_of_mission(const JsonField& field) {
-    field.allow(
-        {"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "approach"});
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "range",
+                 "endurance", "reserve", "approach"});
     Agent agent;
     agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);
@@ -266,6 +265,9 @@ Agent read_agent_of_mission(const JsonField& field) {
         const auto most = int(count->whole_number(0, INT_MAX));
         (agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches) = most;
     }
+    if (const auto range = field.find("range")) agent.range = read_positive(*range);
+    if (const auto endurance = field.find("endurance")) agent.endurance = read_positive(*endurance);
+    if (const auto reserve = field.find("reserve")) agent.reserve = read_share(*reserve);
     read_body(field, agent.body);
     return agent;
 }
@@ -281,6 +283,9 @@ Json mission_agent_json(const Agent& agent) {
     if (agent.weight != 1) json["weight"] = number(agent.weight);
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
     if (agent.own_breaches > 0) json["breaches"] = agent.own_breaches;
+    if (std::isfinite(agent.range)) json["range"] = agent.range;
+    if (std::isfinite(agent.endurance)) json["endurance"] = agent.endurance;
+    if (agent.reserve != 0) json["reserve"] = number(agent.reserve);
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = to_string(agent.body.corners);
@@ -305,17 +310,13 @@ void read_rules(const JsonField& field, MissionDocument& document) {
         }
         rules.zones = std::move(given.zones);
     }
-    if (const auto time = field.find("breach_time")) {
+    if (const auto time = field.find("breach_time"))
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
-    }
-    if (const auto time = field.find("breach_time_per_cell")) {
+    if (const auto time = field.find("breach_time_per_cell"))
         rules.breach_time.per_cell = read_between(*time, 0, most_breach_time);
-    }
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
-    if (const auto tolerance = field.find("minimise_demolition")) {
-        rules.minimise_demolition = read_share(*tolerance);
-    }
+    if (const auto tolerance = field.find("minimise_demolition")) rules.minimise_demolition = read_share(*tolerance);
     read_truth(field, "collisions", rules.collisions);
     if (const auto time = field.find("unreached")) rules.unreached = read_between(*time, 0, most_breach_time);
     if (const auto room = field.find("separation")) rules.separation = read_between(*room, 0, most_radius);

@@ -115,6 +115,16 @@ NextBreach next_breach(const JsonField& field) {
     return result;
 }
 
+OutOfRange out_of_range(const JsonField& field) {
+    OutOfRange result;
+    result.obstacle = read_obstacle(field["obstacle"], 0);
+    if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
+    result.agent = read_agent_id(field["agent"]);
+    result.flight = field["flight"].number();
+    result.longest = field["longest"].number();
+    return result;
+}
+
 // Plan files of the first version do not say where an agent should start and end: then its path says so.
 Cell end_of(const JsonField& agent, const char* key, const Waypoint& point) {
     if (const auto field = agent.find(key)) return read_cell(*field);
@@ -304,6 +314,9 @@ PlanFile read_plan(const JsonField& root) {
     }
     if (const auto next = root.find("next")) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
+    }
+    if (const auto far = root.find("out_of_range")) {
+        for (const JsonField& field : far->items()) file.plan.out_of_range.push_back(out_of_range(field));
     }
     return file;
 }

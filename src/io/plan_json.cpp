@@ -157,6 +157,15 @@ Json next_json(const NextBreach& next, const MapFile& map) {
     return json;
 }
 
+Json out_of_range_json(const OutOfRange& far, const MapFile& map) {
+    Json json{{"obstacle", far.obstacle.value}};
+    add_identity(json, far.obstacle, far.source_id, map);
+    json["agent"] = far.agent;
+    json["flight"] = number(far.flight);
+    json["longest"] = number(far.longest);
+    return json;
+}
+
 Json wait_json(const Wait& wait) {
     Json json{{"at", Json::array({coordinate(wait.at.x), coordinate(wait.at.y)})},
               {"from", number(wait.from)},
@@ -276,6 +285,7 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
         json["demolition"] = std::move(demolition);
     }
     for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
+    for (const OutOfRange& far : plan.out_of_range) json["out_of_range"].push_back(out_of_range_json(far, context.map));
     json["agents"] = Json::array();
     for (const Plan& step : context.front) {
         json["front"].push_back(step_json(step, context.asked.mission.rules.objective, context.map));

@@ -271,6 +271,10 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
+    if (mission.limits_flights())
+        throw InputError(ErrorCode::contradiction, "range",
+                         "a mission whose aircraft have a range or an endurance cannot be planned anew on its way yet: "
+                         "leave them out to revise it");
     if (!mission.rules.collisions)
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");

@@ -23,6 +23,7 @@
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
+#include "mission/within_range.hpp"
 #include "model/idle.hpp"
 #include "model/in_zones.hpp"
 #include "model/opened.hpp"
@@ -158,7 +159,11 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
         Limits left = limits;
         left.seconds = seconds;
         if (asked.rules.opened.size() < zoned.mission().rules.opened.size()) left.progress = nullptr;
-        return plan_active(zoned.map(), asked, method, left, evaluated ? &*evaluated : nullptr);
+        Evaluated* others = evaluated ? &*evaluated : nullptr;
+        const auto planned = [&](const Mission& step, const Method& how, const Limits& within) {
+            return plan_active(zoned.map(), step, how, within, others);
+        };
+        return within_range(zoned.map(), asked, method, left, planned, others);
     });
     std::vector<Plan> plans;
     plans.push_back(std::move(best));
@@ -267,12 +272,13 @@ std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& missio
         how.explain = explained;
         Limits left = limits;
         left.seconds = std::max(deadline.left(), 1e-3);
-        // Those with fewer removals are here anyway.
-        if (!drives_alone(step) && !explained) {
-            return planned_team(map, step, how, left, coalition::Fewer::not_tried, memory_->searcher,
+        const auto planned = [&](const Mission& asked, const Method& by, const Limits& within) {
+            if (drives_alone(asked) || explained) return plan_active(map, asked, by, within);
+            // Those with fewer removals are here anyway.
+            return planned_team(map, asked, by, within, coalition::Fewer::not_tried, memory_->searcher,
                                 memory_->crossing);
-        }
-        return plan_active(map, step, how, left);
+        };
+        return within_range(map, step, how, left, planned, nullptr);
     };
     const auto reached = [&rules](const Plan& plan) {
         return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());

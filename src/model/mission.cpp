@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/range.hpp"
+#include "model/in_range.hpp"
 #include "model/in_zones.hpp"
 #include "model/nearest_place.hpp"
 #include "waybreaker/error.hpp"
@@ -251,6 +252,10 @@ bool Mission::opens_own_way() const {
     return std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
 }
 
+bool Mission::limits_flights() const {
+    return std::ranges::any_of(agents, [](const Agent& agent) { return std::isfinite(agent.longest_flight()); });
+}
+
 int Mission::removals_allowed() const {
     std::int64_t capacity = 0;
     for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : agent.own_breaches;
@@ -276,6 +281,7 @@ void validate(const Map& map, const Mission& mission) {
     }
     if (mission.is_team()) validate_team(mission);
     validate_zones(map, mission);
+    validate_flights(map, mission);
 }
 
 }  // namespace waybreaker

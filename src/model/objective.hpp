@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "waybreaker/mission.hpp"
@@ -33,7 +34,11 @@ struct Finish {
         last = std::max(last, time);
         flowtime += weighted(weight, time);
     }
-    void add(const Agent& agent, double time) { add(agent.kind, time, agent.weight); }
+    // Never, where an aircraft would fly farther than it may.
+    void add(const Agent& agent, double time) {
+        const bool may = agent.kind == AgentKind::ground || agent.may_land_at(time);
+        add(agent.kind, may ? time : std::numeric_limits<double>::infinity(), agent.weight);
+    }
 };
 
 // When the aircraft are at their goals, in units of time.
@@ -67,7 +72,8 @@ inline Rank rank(Objective objective, const Finish& finish) {
         case Objective::ground_makespan:
             break;
     }
-    return {finish.ground, finish.flowtime};
+    // Whenever the aircraft are home, they have to get there.
+    return {std::isinf(finish.air) ? finish.air : finish.ground, finish.flowtime};
 }
 
 }  // namespace waybreaker

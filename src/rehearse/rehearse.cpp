@@ -29,6 +29,10 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
+    if (mission.limits_flights())
+        contradiction(
+            "a plan whose aircraft have a range or an endurance cannot be rehearsed yet: leave them out to rehearse "
+            "it");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }

@@ -5,6 +5,7 @@
 // gives the earliest end of the air agent: f(g), a staircase that falls as g grows. Stretches of it are dropped when
 // their lower corner is no better than the best flight known, else halved by asking for f in the middle.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -90,8 +91,10 @@ class Best {
             shortest_tour_in_time(course_.start(), course_.goal(), course_.targets(),
                                   course_.deadlines(ground + rounding_), course_.reach(air + rounding_), course_.air());
         if (!tour) return std::nullopt;
+        const Finish finish = course_.finish(*tour);
+        if (std::isinf(finish.air)) return std::nullopt;
         consider(*tour);
-        return course_.finish(*tour);
+        return finish;
     }
 
     Tour in_order_of_entry(Tour tour) const {
@@ -118,6 +121,7 @@ BestTour best_tour(const Course& course, const Deadline& deadline) {
     const Tour known = improved_tour(start, nearest, goal, course.targets(), course.air());
     const Tour shortest = few ? shortest_tour(start, goal, course.targets(), known, course.air())
                               : good_tour(start, goal, course.targets(), nearest, course.air(), deadline);
+    if (std::isinf(course.finish(shortest).air)) return {shortest, few};  // all others are too long as well
     Best best(course, shortest, deadline);
     if (!few) best.consider(nearest);
     const bool proven = few && best.prove();

@@ -89,6 +89,7 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
         double& landed = flights.home[subset];
         opened = agent.ready_at + std::max(open, farthest) / agent.speed + stays;
         landed = agent.ready_at + std::max(home, whole) / agent.speed + stays;
+        if (!agent.may_land_at(landed)) opened = landed = never;
         // By boxes, a flight by way of a large obstacle would be shorter than one past it.
         for (std::uint32_t rest = subset; rest != 0; rest &= rest - 1) {
             const std::uint32_t fewer = subset & ~(rest & (~rest + 1));
@@ -158,8 +159,10 @@ void EarliestOpenings::add_single_visits(std::span<const ObstacleId> obstacles, 
             const Agent& agent = *aircraft_[a];
             if (agent.breaches == 0) continue;
             const double stays = aircraft_.size() == 1 ? all : stay(id);
+            const double landed = agent.ready_at + legs(a, id).whole / agent.speed + stays;
+            if (!agent.may_land_at(landed)) continue;
             open = std::min(open, agent.ready_at + legs(a, id).first / agent.speed + stays);
-            home = std::min(home, agent.ready_at + legs(a, id).whole / agent.speed + stays);
+            home = std::min(home, landed);
         }
         times.open = std::max(times.open, open);
         times.home.last = std::max(times.home.last, home);

@@ -17,7 +17,7 @@ class EarliestOpenings {
     // All arguments must outlive it.
     EarliestOpenings(const Map& map, const Rules& rules, std::vector<const Agent*> aircraft);
 
-    // In units of time, breaches included; infinity where the aircraft may not breach so many.
+    // In units of time, breaches included; infinity where the aircraft may not breach so many, or not fly so far.
     struct Times {
         double open = 0;  // when the last obstacle is open; 0 where obstacles do not stand in time
         Returns home = {};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <numeric>
@@ -29,10 +30,16 @@ ScheduleTask task_of(const JointTask& task, std::size_t aircraft, const Deadline
             .time_limit = deadline.left()};
 }
 
+// Of one aircraft.
+Returns returns_of(const Agent& aircraft, std::span<const Waypoint> path) {
+    Finish finish;
+    finish.add(aircraft, path.back().t);
+    return {finish.air, finish.air};
+}
+
 JointSchedule joint(const Map& map, const JointTask& task, Schedule alone) {
     JointSchedule schedule;
-    const double home = alone.air.back().t;
-    schedule.home = {home, home};
+    schedule.home = returns_of(*task.aircraft.front(), alone.air);
     for (std::size_t i = 0; i < alone.flight.breaches.size(); ++i) {
         const auto& [obstacle, at] = alone.flight.breaches[i];
         const double stay = task.rules.breach_time.of(map.obstacle(obstacle));
@@ -111,7 +118,7 @@ class SeveralAircraft {
             const Course course(alone, needs_.only(subset));
             Tour tour = best_tour(course, deadline_).tour;
             const Finish finish = course.finish(tour);
-            shares[subset] = {true, finish, named(std::move(tour), subset)};
+            shares[subset] = {std::isfinite(finish.air), finish, named(std::move(tour), subset)};
         }
         return shares;
     }
@@ -165,8 +172,8 @@ class SeveralAircraft {
                 cleared[stop.target] = gone;
                 schedule.breaches.push_back({needs_.targets[stop.target].obstacle, a, stop.at, begun, gone});
             });
-            const double home = schedule.air.back().back().t;
-            schedule.home = {std::max(schedule.home.last, home), schedule.home.sum + home};
+            const Returns home = returns_of(agent, schedule.air.back());
+            schedule.home = {std::max(schedule.home.last, home.last), schedule.home.sum + home.sum};
         }
         TimedDrive driven =
             drive_in_time(first_, needs_.breachings, cleared, needs_.given, 1e-9 * (1 + schedule.home.last));

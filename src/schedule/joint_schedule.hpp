@@ -36,14 +36,15 @@ struct JointSchedule {
     std::vector<Waypoint> ground = {};            // with waits: a point twice
     std::vector<std::vector<Waypoint>> air = {};  // of each aircraft, with stays at breach points
     std::vector<TimedBreach> breaches = {};       // in order of cleared_at
-    Returns home = {};
+    Returns home = {};                            // infinity where no flights were found that are short enough
 
     double arrival() const { return ground.back().t; }
 };
 
 // The best flights for this ground path, by the objective. Of one aircraft: best_schedule. Of several: the best way to
 // share the obstacles among them, each share flown at its best, where there are few of both; that is the best there is
-// for the makespan and the ground makespan. Else, and for the flowtime, local search.
+// for the makespan and the ground makespan. Else, and for the flowtime, local search. Flights keep to the aircraft's
+// ranges; where such were not found, others are given.
 JointSchedule best_joint_schedule(const Map& map, const JointTask& task);
 
 // One aircraft, which flies by the paper's rule (fly_nearest).

@@ -1,14 +1,19 @@
 #include "schedule/sorties.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
+
+#include "flight/exact.hpp"
 
 namespace waybreaker {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t few_targets = 4;  // all orders of inserting them are tried
+constexpr std::size_t few_targets = 4;      // all orders of inserting them are tried
+constexpr double most_ways_to_share = 256;  // of targets among aircraft that may not fly far
 
 // Where a stop may be: nearest to where the aircraft comes from, and with the least detour.
 std::vector<Cell> likely_cells(const Target& target, const Agent& aircraft, const Tour& tour, std::size_t at) {
@@ -66,8 +71,53 @@ std::optional<Sorties> SortieSearch::find(std::vector<std::size_t> order) const 
             consider();
         } while (!due_() && std::ranges::next_permutation(order).found);
     }
+    if (best && std::isinf(least.first)) best = shared_out(order).value_or(*best);
     if (best) improve(*best);
     return best;
+}
+
+// Where aircraft may not fly far, perhaps only some ways to share few targets out are possible, with the shortest
+// tours: the best of all ways, each aircraft flying so. None where none is possible, or they are too many.
+std::optional<Sorties> SortieSearch::shared_out(const std::vector<std::size_t>& order) const {
+    const double ways = std::pow(double(aircraft_.size()), double(order.size()));
+    if (order.size() > exact_flight_limit || ways > most_ways_to_share) return std::nullopt;
+    std::map<std::pair<std::size_t, std::vector<std::size_t>>, Tour> known;
+    std::optional<Sorties> best;
+    Rank least{infinity, infinity};
+    std::vector<std::size_t> owner(order.size(), 0);
+    for (std::size_t way = 0; way < std::size_t(ways) && !due_(); ++way) {
+        Sorties sorties;
+        for (std::size_t a = 0; a < aircraft_.size(); ++a) {
+            std::vector<std::size_t> share;
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                if (owner[i] == a) share.push_back(order[i]);
+            }
+            if (share.size() > std::size_t(aircraft_[a]->breaches)) break;
+            const auto [tour, is_new] = known.try_emplace({a, share});
+            if (is_new) tour->second = shortest(a, share);
+            sorties.push_back(tour->second);
+        }
+        for (std::size_t i = 0; i < owner.size() && ++owner[i] == aircraft_.size(); ++i) owner[i] = 0;
+        if (sorties.size() < aircraft_.size()) continue;
+        const Rank reached = rank_of(sorties);
+        if (std::isinf(reached.first) || !is_better(reached, least)) continue;
+        least = reached;
+        best = std::move(sorties);
+    }
+    return best;
+}
+
+Tour SortieSearch::shortest(std::size_t aircraft, const std::vector<std::size_t>& share) const {
+    const Agent& agent = *aircraft_[aircraft];
+    std::vector<Target> targets;
+    Tour known;
+    for (const std::size_t target : share) {
+        known.push_back({targets.size(), targets_[target].cells.front()});
+        targets.push_back(targets_[target]);
+    }
+    Tour tour = shortest_tour(agent.begin(), agent.goal, targets, known, agent.airspace);
+    for (Stop& stop : tour) stop.target = share[stop.target];
+    return tour;
 }
 
 // Gives a target to the aircraft, and puts it in the place, where it costs least. False if no aircraft may breach more.

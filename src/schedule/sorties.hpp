@@ -26,7 +26,7 @@ class SortieSearch {
                  Objective objective, const std::function<bool()>& due)
         : aircraft_(aircraft), targets_(targets), precedence_(precedence), objective_(objective), due_(due) {}
 
-    // By the objective; infinity where a vehicle has no drive.
+    // By the objective; infinity where a vehicle has no drive, or an aircraft would fly too far.
     Rank rank_of(const Sorties& sorties) const;
     // The best of those that insert one target after the other, each where it costs least: in the order given, and,
     // where they are few, in every order; then improved. None if the aircraft may not breach as many.
@@ -36,6 +36,8 @@ class SortieSearch {
     void improve(Sorties& sorties) const;
 
   private:
+    std::optional<Sorties> shared_out(const std::vector<std::size_t>& order) const;
+    Tour shortest(std::size_t aircraft, const std::vector<std::size_t>& share) const;
     bool insert(Sorties& sorties, std::size_t target) const;
     bool move_one(Sorties& sorties, Rank& least) const;
     bool exchange_cells(Sorties& sorties, Rank& least) const;

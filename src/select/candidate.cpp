@@ -1,12 +1,14 @@
 #include "select/candidate.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/stopwatch.hpp"
 #include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
 #include "model/opened.hpp"
 #include "model/timeline.hpp"
+#include "schedule/earliest_openings.hpp"
 #include "schedule/own_schedule.hpp"
 
 namespace waybreaker {
@@ -67,6 +69,15 @@ Candidate candidate_of(const Task& task, Opening opening) {
     JointSchedule schedule = scheduled(task, opening);
     if (task.rules.timing == Timing::enforce && opening.ground.length && keep_needed(task, schedule, opening)) {
         schedule = scheduled(task, opening);
+    }
+    if (std::isinf(schedule.home.last)) {
+        // The aircraft do not get past all of these and home. That may be for want of better flights.
+        const bool must = opening.removed.size() == task.given.size();
+        const bool none =
+            std::isinf(EarliestOpenings(task.map, task.rules, task.aircraft).of(opening.removed).home.last);
+        opening.status = must && none ? SearchStatus::no_path : SearchStatus::not_found;
+        opening.ground = Route{};
+        schedule.breaches.clear();
     }
     return {std::move(opening), std::move(schedule), watch.seconds()};
 }

@@ -1,6 +1,7 @@
 #include "select/opening_times.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace waybreaker {
 namespace {
@@ -9,7 +10,8 @@ bool may_matter(const Task& task) {
     if (task.rules.timing == Timing::ignore || task.opens_own_way()) return false;
     const auto keeps_up = [&](const Agent* agent) {
         return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
-               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals && agent->airspace.is_open();
+               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals &&
+               agent->airspace.is_open() && std::isinf(agent->longest_flight());
     };
     return std::ranges::none_of(task.aircraft, keeps_up) ||
            std::ranges::any_of(task.map.obstacles(),

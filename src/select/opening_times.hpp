@@ -16,7 +16,8 @@ class OpeningTimes {
     static OpeningTimes at_once(const Task& task);
 
     // Whether the ground agent may ever have to wait longer than the detour to a breach cell takes. Not if breaches
-    // take no time, and an aircraft that may breach all that is removed starts with it and is no slower.
+    // take no time, and an aircraft that may breach all that is removed, and fly any distance, starts with it and is no
+    // slower.
     bool matter() const { return matter_; }
     // Whether that is only as if nobody waited.
     bool are_at_once() const { return at_once_; }

@@ -1,6 +1,7 @@
 #include "select/task.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -23,6 +24,12 @@ std::vector<double> prices_of(const Map& map, const Agent& driver, const Rules& 
         prices.push_back(rules.breach_time.of(obstacle) * driver.speed);
     }
     return prices;
+}
+
+// What is forced may be out of range together: then there is no plan, whatever is a bound.
+Returns least_flight_of(const Task& task) {
+    const Returns home = least_return(task, task.rules.force);
+    return std::isinf(home.last) ? Returns{} : home;
 }
 
 }  // namespace
@@ -49,7 +56,7 @@ Task task_of(const Map& map, const Mission& mission, const Method& method, const
     Task task{map, driver, std::move(aircraft), mission.rules, method, limits, Deadline(limits.seconds), {}};
     task.given = given_by(mission.rules);
     if (task.opens_own_way()) task.prices = prices_of(map, driver, mission.rules);
-    task.least_flight = least_return(task, task.rules.force);
+    task.least_flight = least_flight_of(task);
     return task;
 }
 
@@ -57,7 +64,7 @@ Task Task::under(const Rules& others, const Map& weighed) const {
     Task task{weighed, driver, aircraft, others, method, limits, deadline, {}, false};
     task.given = given_by(others);
     task.prices = prices;
-    task.least_flight = least_return(task, others.force);
+    task.least_flight = least_flight_of(task);
     return task;
 }
 

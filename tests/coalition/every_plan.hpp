@@ -148,11 +148,18 @@ class EveryPlan {
         }
     }
 
+    // A flight that takes so long, of an aircraft that never waits.
+    static bool is_too_long(const Agent& aircraft, double lasts) {
+        const double kept = (1 - aircraft.reserve) * (1 + 1e-9);
+        return lasts * aircraft.speed > kept * aircraft.range || lasts > kept * aircraft.endurance;
+    }
+
     void judge(const std::vector<double>& openings) {
         double sum = 0;
         double last = 0;
         for (std::size_t a = 0; a < aircraft_.size(); ++a) {
             const double home = times_[a] + distance(places_[a], aircraft_[a]->goal) / aircraft_[a]->speed;
+            if (is_too_long(*aircraft_[a], home - aircraft_[a]->ready_at)) return;
             sum += aircraft_[a]->weight * home;
             last = std::max(last, home);
         }

@@ -132,6 +132,7 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     }
     for (Itinerary& agent : plan.agents) explain(agent);
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
+    plan.out_of_range = {{.obstacle = {7}, .source_id = -7, .agent = "air", .flight = 1100.5, .longest = 900}};
     const PlanFile read =
         parse_plan(plan_json(plan, {file, {mission, method}, Connectivity::eight, true}), "plan.json");
 
@@ -179,6 +180,11 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(read.plan.next.size() == 1U);
     RC_ASSERT(read.plan.next[0].obstacle == plan.next[0].obstacle);
     RC_ASSERT(read.plan.next[0].source_id == plan.next[0].source_id);
+    RC_ASSERT(read.plan.out_of_range.size() == 1U);
+    RC_ASSERT(read.plan.out_of_range[0].obstacle == plan.out_of_range[0].obstacle);
+    RC_ASSERT(read.plan.out_of_range[0].source_id == plan.out_of_range[0].source_id);
+    RC_ASSERT(read.plan.out_of_range[0].agent == "air");
+    RC_ASSERT(read.plan.out_of_range[0].flight == 1100.5 && read.plan.out_of_range[0].longest == 900);
     RC_ASSERT(read.plan.next[0].saves == plan.next[0].saves);
 }
 

@@ -163,6 +163,9 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.agents[0].ready_at = 3;
     document.mission.agents[0].approach = {{0, 1, 2}, {0, 0, 3}};
     document.mission.agents[1].from = Point(0.25, 0.5);
+    document.mission.agents[1].range = 900;
+    document.mission.agents[1].endurance = 60;
+    document.mission.agents[1].reserve = 0.2;
     document.mission.rules.opened = {{{3}, 4.5}};
     document.mission.rules.failed = {{4}};
     document.mission.rules.retries = 2;

@@ -40,8 +40,9 @@ struct Schedule {
 
 // The best flight for this ground path: order and breach points minimise the objective, waits included, and of equally
 // good flights the other objective; proven for up to exact_flight_limit obstacles. Breaches all of task.removed, needed
-// or not. Throws InputError for an obstacle that fills the whole map, for a path without points, and for speeds or
-// times out of range. Precondition, here and below: all ids name obstacles of the map.
+// or not. It keeps to the flyer's range; where no flight was found that does, it is one that does not. Throws
+// InputError for an obstacle that fills the whole map, for a path without points, and for speeds or times out of range.
+// Precondition, here and below: all ids name obstacles of the map.
 Schedule best_schedule(const Map& map, const ScheduleTask& task);
 
 // The waits and stays that a given flight makes necessary. Throws InputError as best_schedule does.

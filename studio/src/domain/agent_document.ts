@@ -13,7 +13,10 @@ export interface AgentDocument {
   ready_at?: number;
   approach?: readonly (readonly [number, number, number])[];
   breaches?: number;
-  weight?: number; // the page has none
+  weight?: number; // the page has none, nor these
+  range?: number;
+  endurance?: number;
+  reserve?: number;
 }
 
 // `cell`: how large one is, in the unit of the agents' speeds.

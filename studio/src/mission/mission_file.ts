@@ -167,7 +167,7 @@ export function leftOut(
   { agents, overlays, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "overlays" | "rules" | "method">,
 ): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
-  const says = (name: "approach" | "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
+  const says = (name: keyof AgentDocument, kind: AgentDocument["kind"]) =>
     agents.some((agent) => agent[name] !== undefined && agent.kind === kind);
   const removals = Number(rules.removals ?? usualRemovals);
   return [
@@ -180,6 +180,7 @@ export function leftOut(
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(agents.some(({ weight = 1 }) => weight !== 1) ? ["weights of agents"] : []),
     ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
+    ...(["range", "endurance", "reserve"] as const).filter((name) => says(name, "air")).map((name) => `${name} of aircraft`),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

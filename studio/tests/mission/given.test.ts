@@ -237,12 +237,14 @@ it("a mission file says what is left out of it", () => {
   expect(open({ overlays: [{ file: "flood.geojson", as: "water", width: 8 }] }).leftOut).toEqual([
     "the overlay flood.geojson: drop that file on the page, and lay it over the map as water",
   ]);
-  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1, weight: 40 }, { ...agents[1], ready_at: 3 }];
+  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1, weight: 40 }, { ...agents[1], ready_at: 3, range: 900, reserve: 0.2 }];
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
     "weights of agents",
     "breaches of vehicles beside others",
+    "range of aircraft",
+    "reserve of aircraft",
   ]);
 });
 

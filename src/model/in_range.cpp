@@ -1,0 +1,139 @@
+#include "model/in_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/range.hpp"
+#include "model/in_zones.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A lower bound of the time of a flight to a cell beside an obstacle and to the goal.
+double least_flight(const Agent& agent, const Box& box) {
+    const auto outside = [](double low, double high, double value) {
+        return std::max({low - 1 - value, value - high - 1, 0.0});
+    };
+    const auto to_box = [&](Point p) {
+        return std::hypot(outside(box.min.x, box.max.x, p.x), outside(box.min.y, box.max.y, p.y));
+    };
+    return (to_box(agent.begin()) + to_box(agent.goal)) / agent.speed;
+}
+
+// Such a flight, in units of time: one that is short enough, or the shortest.
+double flight_past(const Map& map, const Agent& agent, const Obstacle& obstacle, double enough) {
+    double shortest = infinity;
+    for (const Cell at : map.boundary(obstacle.id)) {
+        if (!agent.airspace.allows(at)) continue;
+        const double length = agent.airspace.length(agent.begin(), at) + agent.airspace.length(at, agent.goal);
+        shortest = std::min(shortest, length / agent.speed);
+        if (shortest <= enough) break;
+    }
+    return shortest;
+}
+
+bool may_breach(const Agent& agent) {
+    return agent.kind == AgentKind::air && agent.breaches > 0;
+}
+
+bool is_in_range(const Map& map, const Mission& mission, const Obstacle& obstacle) {
+    const double stay = mission.rules.breach_time.of(obstacle);
+    return std::ranges::any_of(mission.agents, [&](const Agent& agent) {
+        if (!may_breach(agent) || std::isinf(agent.longest_flight())) return may_breach(agent);
+        const auto fits = [&](double flight) { return agent.may_land_at(agent.ready_at + flight + stay); };
+        return fits(least_flight(agent, obstacle.bounds)) &&
+               fits(flight_past(map, agent, obstacle, agent.longest_flight() - stay));
+    });
+}
+
+// "the air1 agent can fly 900 cells; obstacle 473 and back is 1100": or in units of time, where these end first.
+std::string sentence(const Agent& agent, const std::string& what, double time) {
+    const bool by_range = agent.range / agent.speed <= agent.endurance;
+    const auto figure = [&](double value) { return number_text(by_range ? value * agent.speed : value); };
+    const std::string reserve = agent.reserve > 0 ? ", with " + number_text(100 * agent.reserve) + " % in reserve" : "";
+    return "the " + agent.id + " agent can fly " + (by_range ? "" : "for ") + figure(agent.longest_flight()) +
+           (by_range ? " cells" : " units of time") + reserve + "; " + what + (by_range ? " is " : " takes ") +
+           figure(time);
+}
+
+void validate_limits(const Agent& agent) {
+    const bool is_limited = std::isfinite(agent.range) || std::isfinite(agent.endurance);
+    const auto require_positive = [&](double value, const std::string& what) {
+        if (value > 0) return;
+        throw InputError(ErrorCode::out_of_range, agent.id,
+                         "the " + agent.id + " agent's " + what + " must be above 0, not " + number_text(value));
+    };
+    require_positive(agent.range, "range");
+    require_positive(agent.endurance, "endurance");
+    const std::string reserve = "the reserve of the " + agent.id + " agent";
+    require_range(agent.reserve, 0, 1, reserve);
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
+    };
+    if (agent.reserve == 1) refuse("keeps all of its range in reserve");
+    if (agent.reserve > 0 && !is_limited) refuse("has a reserve, and neither a range nor an endurance");
+    if (!is_limited) return;
+    if (agent.kind == AgentKind::ground) refuse("drives: range and endurance are for air agents");
+    if (!agent.approach.empty()) refuse("is under way: with a range or an endurance it cannot be planned for yet");
+}
+
+}  // namespace
+
+void validate_flights(const Map& map, const Mission& mission) {
+    for (const Agent& agent : mission.agents) validate_limits(agent);
+    if (!mission.limits_flights()) return;
+    Mission flown = mission;
+    set_airspaces(map, flown);
+    const auto refuse = [](const std::string& subject, const std::string& why) {
+        throw InputError(ErrorCode::contradiction, subject, why);
+    };
+    for (const Agent& agent : flown.agents) {
+        if (agent.kind == AgentKind::ground) continue;
+        const double time = agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
+        if (!agent.may_land_at(agent.ready_at + time))
+            refuse(agent.id, sentence(agent, "from its start to its goal it", time));
+    }
+    for (const ObstacleId id : mission.rules.force) {
+        const auto why = out_of_range(map, flown, id);
+        if (!why) continue;
+        const std::string name = "obstacle " + std::to_string(id.value);
+        const auto agent = std::ranges::find(flown.agents, why->agent, &Agent::id);
+        refuse(std::to_string(id.value),
+               name + " must be removed, but " + sentence(*agent, name + " and back", why->flight));
+    }
+}
+
+std::optional<OutOfRange> out_of_range(const Map& map, const Mission& mission, ObstacleId id) {
+    const Obstacle& obstacle = map.obstacle(id);
+    if (is_in_range(map, mission, obstacle)) return std::nullopt;
+    std::optional<OutOfRange> nearest;
+    for (const Agent& agent : mission.agents) {
+        if (!may_breach(agent)) continue;
+        const double longest = agent.longest_flight();
+        const double flight = flight_past(map, agent, obstacle, 0) + mission.rules.breach_time.of(obstacle);
+        if (nearest && flight / longest >= nearest->flight / nearest->longest) continue;
+        nearest = {id, obstacle.source_id, agent.id, flight, longest};
+    }
+    return nearest;
+}
+
+Mission protecting_out_of_range(const Map& map, const Mission& mission) {
+    Mission kept = mission;
+    if (!mission.limits_flights()) return kept;
+    std::vector<ObstacleId>& protect = kept.rules.protect;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        if (obstacle.gone() || !obstacle.destructible) continue;
+        if (std::ranges::count(mission.rules.opened, obstacle.id, &TimedOpening::obstacle) > 0) continue;
+        if (!is_in_range(map, mission, obstacle)) protect.push_back(obstacle.id);
+    }
+    std::ranges::sort(protect);
+    protect.erase(std::unique(protect.begin(), protect.end()), protect.end());
+    return kept;
+}
+
+}  // namespace waybreaker
