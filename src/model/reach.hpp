@@ -10,8 +10,8 @@ namespace waybreaker {
 struct Reach {
     bool inbound = false;  // agents drive from the cell to a hub
     std::vector<Cell> hubs = {};
-    // By cell, row by row: when an agent gets there, or from there to a hub, that sets out when it is ready; in units of
-    // time, waits for openings included; infinity where there is no way.
+    // By cell, row by row: when an agent gets there, or from there to a hub, that sets out when it is ready; in units
+    // of time, waits for openings included; infinity where there is no way.
     std::vector<float> before = {};
     std::vector<float> after = {};
 };

@@ -59,7 +59,7 @@ std::string draw_team(const Scene& scene) {
     for (const Itinerary& agent : scene.plan.agents) {
         const std::vector<Point> path = scene.on_map(agent.path);
         out += agent.kind == AgentKind::air ? aircraft_sign(aircraft++, path, scene.unit())
-               : scene.options.reach         ? drive_sign(path, scene.unit())
+               : scene.options.reach        ? drive_sign(path, scene.unit())
                                             : vehicle_sign(vehicle++, path, scene.unit());
     }
     return out;

@@ -145,7 +145,7 @@ std::vector<Place> gains_of_places(const Scene& scene) {
         const std::size_t cell = std::size_t(at.y) * std::size_t(scene.map.width()) + std::size_t(at.x);
         const float before = reach.before[cell];
         const float after = reach.after[cell];
-        const Gain gain = !scene.plan.agents[i].reached     ? Gain::never
+        const Gain gain = !scene.plan.agents[i].reached   ? Gain::never
                           : bands.only_now(before, after) ? Gain::only_now
                           : bands.sooner(before, after)   ? Gain::sooner
                                                           : Gain::none;
@@ -156,16 +156,12 @@ std::vector<Place> gains_of_places(const Scene& scene) {
 
 std::string place_sign(Point at, Gain gain, double radius, double unit) {
     const bool filled = gain == Gain::only_now;
-    const std::string_view fill = filled                 ? colour::removed
-                                  : gain == Gain::sooner ? colour::removed_tint
-                                                         : colour::halo;
-    const std::string_view edge = filled                 ? colour::halo
-                                  : gain == Gain::sooner ? colour::breach
-                                                         : colour::ink;
-    std::string sign = fmt::format(
-        R"(<circle cx="{:.6g}" cy="{:.6g}" r="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}"/>)"
-        "\n",
-        at.x, at.y, radius * unit, fill, edge, 2.4 * unit);
+    const std::string_view fill = filled ? colour::removed : gain == Gain::sooner ? colour::removed_tint : colour::halo;
+    const std::string_view edge = filled ? colour::halo : gain == Gain::sooner ? colour::breach : colour::ink;
+    std::string sign =
+        fmt::format(R"(<circle cx="{:.6g}" cy="{:.6g}" r="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}"/>)"
+                    "\n",
+                    at.x, at.y, radius * unit, fill, edge, 2.4 * unit);
     if (gain == Gain::never) {
         const double arm = 0.75 * radius * unit;
         sign += fmt::format(R"(<path d="M{0:.6g} {1:.6g}l{2:.4g} {2:.4g}m0 -{2:.4g}l-{2:.4g} {2:.4g}" stroke="{3}" )"
@@ -237,8 +233,8 @@ std::vector<LegendEntry> reach_legend(const Scene& scene) {
         entries.push_back({swatch(colour::bands[i]), "reached by " + time_words(bands.end(i), scene)});
     if (std::ranges::count(raster.bands, bands.count() + 1) > 0)
         entries.push_back({swatch("url(#unreached)"), "not reached"});
-    const std::array<std::string, 2> words{
-        fmt::format("{} or more sooner", time_words(bands.clear_gain(), scene)), "reached only now"};
+    const std::array<std::string, 2> words{fmt::format("{} or more sooner", time_words(bands.clear_gain(), scene)),
+                                           "reached only now"};
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (std::ranges::count(raster.gains, i + 1) > 0)
             entries.push_back({swatch(colour::bands[3]) + swatch(gain_fills[i]), words[i]});

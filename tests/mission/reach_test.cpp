@@ -35,8 +35,7 @@ struct Opened {
         mission.rules.collisions = false;
         plan.status = PlanStatus::solved;
         for (const auto& [letter, time] : openings)
-            plan.breaches.push_back(
-                {.obstacle = map.obstacle_at(mark_in_ascii(picture, letter)), .cleared_at = time});
+            plan.breaches.push_back({.obstacle = map.obstacle_at(mark_in_ascii(picture, letter)), .cleared_at = time});
     }
     float at(const std::vector<float>& times, Cell c) const {
         return times[std::size_t(c.y) * std::size_t(map.width()) + std::size_t(c.x)];
@@ -174,8 +173,7 @@ RC_GTEST_PROP(Reach, IsNoSoonerWithLaterOpenings, ()) {
     if (plan.breaches.empty()) return;
     plan.breaches[std::size_t(*number(0, int(plan.breaches.size()) - 1))].cleared_at += 5;
     const auto later = reach_of(world.map, world.mission, plan);
-    for (std::size_t i = 0; i < reach->after.size(); ++i)
-        RC_ASSERT(reach->after[i] <= later->after[i] + rounding);
+    for (std::size_t i = 0; i < reach->after.size(); ++i) RC_ASSERT(reach->after[i] <= later->after[i] + rounding);
 }
 
 }  // namespace

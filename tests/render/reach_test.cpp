@@ -51,9 +51,9 @@ std::size_t areas(const pugi::xml_document& picture, std::string_view fill) {
 TEST(PictureOfPlaces, ShowsBandsAndWhatIsGained) {
     const auto picture = Opened().picture();
     // 13 units of time in six bands of 2.5.
-    for (const char* words : {"reached by 2.5", "reached by 5", "reached by 15", "not reached", "0.25 or more sooner",
-                              "reached only now", "1 place", "1 place sooner", "1 place only now",
-                              "1 place not reached"}) {
+    for (const char* words :
+         {"reached by 2.5", "reached by 5", "reached by 15", "not reached", "0.25 or more sooner", "reached only now",
+          "1 place", "1 place sooner", "1 place only now", "1 place not reached"}) {
         EXPECT_TRUE(says(picture, words)) << words;
     }
     EXPECT_EQ(areas(picture, colour::bands[0]), 1U);

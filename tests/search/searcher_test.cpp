@@ -202,8 +202,8 @@ RC_GTEST_PROP(Searcher, ExploresWhatThereIsAWayTo, ()) {
     const PlainMap plain = *random_map(12, 10);
     const Map map(plain.grid());
     const Cell start = any_free_cell(plain);
-    const Algorithm planner = *rc::gen::element(Algorithm::dijkstra, Algorithm::bfs, Algorithm::astar,
-                                                Algorithm::theta, Algorithm::lazy_theta);
+    const Algorithm planner = *rc::gen::element(Algorithm::dijkstra, Algorithm::bfs, Algorithm::astar, Algorithm::theta,
+                                                Algorithm::lazy_theta);
     Heard heard;
     Searcher searcher;
     searcher.explore(OpenedMap(map), start, {.planner = planner, .weight = 3, .listener = &heard});
@@ -215,8 +215,7 @@ RC_GTEST_PROP(Searcher, ExploresWhatThereIsAWayTo, ()) {
         RC_ASSERT(g >= last - 1e-9);
         last = g;
         const SearchResult way = searcher.find(OpenedMap(map), start, cell, {.planner = Algorithm::dijkstra});
-        if (planner == Algorithm::dijkstra || planner == Algorithm::astar)
-            RC_ASSERT(std::abs(g - way.length) < 1e-9);
+        if (planner == Algorithm::dijkstra || planner == Algorithm::astar) RC_ASSERT(std::abs(g - way.length) < 1e-9);
     }
     for (const Cell cell : plain.free_cells()) {
         const SearchResult way = searcher.find(OpenedMap(map), start, cell, {.planner = Algorithm::dijkstra});
