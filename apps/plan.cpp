@@ -19,6 +19,7 @@
 #include "io/plan_json.hpp"
 #include "io/search_trace.hpp"
 #include "mapfile/map_reader.hpp"
+#include "mission/reach.hpp"
 #include "places.hpp"
 #include "plan_options.hpp"
 #include "plan_table.hpp"
@@ -146,7 +147,8 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         for (Itinerary& agent : plan.agents) agent.gain.reset();
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture = render::picture_options(file, asked, plan);
+    render::PictureOptions picture = render::picture_options(file, asked, plan);
+    if (!options.svg.empty() || !options.png.empty()) picture.reach = reach_of(file.map, asked.mission, plan);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) {
         render::PictureOptions moving = picture;

@@ -10,6 +10,7 @@
 #include "io/plan_json.hpp"
 #include "io/sha256.hpp"
 #include "io/state_json.hpp"
+#include "mission/reach.hpp"
 #include "render/plan_picture.hpp"
 #include "revision/revised_file.hpp"
 
@@ -155,7 +156,7 @@ std::string picture(const waybreaker_map& map, std::string_view document) {
     const std::vector<Violation> violations = io::judge(plan, known);
     if (!violations.empty()) throw InputError("the plan is not valid: " + violations.front().message);
     if (plan.plan.agents.empty()) throw InputError("the plan has no agents to draw");
-    return render::plan_svg(known, plan);
+    return render::plan_svg(known, plan, reach_of(known.map, plan.asked.mission, plan.plan));
 }
 
 }  // namespace

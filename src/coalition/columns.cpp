@@ -34,6 +34,10 @@ Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::spa
       shape_(shape),
       heeds_times_(can_heed_times() &&
                    (problem.rules().collisions || problem.vehicles().size() <= tuning::most_vehicles_in_time_at_first)),
+      most_expansions_(problem.rules().collisions ? tuning::most_pricing_expansions
+                                                  : std::min(tuning::most_pricing_expansions,
+                                                             tuning::most_first_expansions_of_all /
+                                                                 std::max<std::size_t>(problem.vehicles().size(), 1))),
       pools_(problem.vehicles().size()),
       proofs_(pools_.size()),
       memories_(pools_.size()),
@@ -49,6 +53,10 @@ Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::spa
 
 bool Columns::heed_times() {
     return can_heed_times() && !std::exchange(heeds_times_, true);
+}
+
+bool Columns::search_longer() {
+    return std::exchange(most_expansions_, tuning::most_pricing_expansions) < tuning::most_pricing_expansions;
 }
 
 // Where the last arrival counts, only those matter that may be the last.
@@ -148,7 +156,7 @@ CrossingOptions Columns::options_for(const Agent& agent) const {
     options.protect = problem_.rules().protect;
     options.budget = problem_.spare_budget();
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions);
+    options.limits.expansions = std::min(options.limits.expansions, most_expansions_);
     return options;
 }
 
@@ -168,6 +176,16 @@ bool Columns::may_gain(std::size_t vehicle, const Obstacle& obstacle) const {
     const double reach = agent.body.reach() + 1;
     return !obstacle.gone() &&
            gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
+}
+
+double Columns::most_gain(std::size_t vehicle, const Obstacle& obstacle) const {
+    if (!may_gain(vehicle, obstacle)) return 0;
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    const double reach = agent.body.reach() + 1;
+    const double way = gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach;
+    const double least = std::max(pools_[vehicle].least, agent.ready_at + std::max(way, 0.0) / agent.speed);
+    const double closed = pools_[vehicle].columns.front().arrival;
+    return std::isinf(closed) ? least : std::max(closed - least, 0.0);
 }
 
 // In cells that it could drive until then.

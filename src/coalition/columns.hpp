@@ -47,10 +47,18 @@ class Columns {
     // nearly as much in a fraction of the time. From now on they heed when these open. Whether they did not before.
     bool heed_times();
 
+    // Of vehicles that are many and never collide, the first searches share so many expansions: one that takes long for
+    // a single vehicle says less than a round more for all. From now on each may take its own. Whether it did not
+    // before.
+    bool search_longer();
+
     std::size_t size() const { return pools_.size(); }
     const Pool& of(std::size_t vehicle) const { return pools_[vehicle]; }
     // Whether a vehicle may arrive earlier than past all obstacles with that one open.
     bool may_gain(std::size_t vehicle, const Obstacle& obstacle) const;
+    // How much earlier at most, in units of time; 0 if it may not. Who has no way otherwise, and must have one, gains
+    // as much as the way may take.
+    double most_gain(std::size_t vehicle, const Obstacle& obstacle) const;
     // Whether a limit has ended a search.
     bool limited() const { return std::ranges::find(limited_, true) != limited_.end(); }
 
@@ -96,6 +104,7 @@ class Columns {
     const Problem& problem_;
     Shape shape_;
     bool heeds_times_;
+    std::uint64_t most_expansions_;  // of one search
     // What the last search of a vehicle has proven.
     struct Proof {
         std::vector<double> prices = {};

@@ -30,7 +30,7 @@ void ExactChoice::improve_prices() {
         bound_ = relaxation_.bound();
         if (found) evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
         const bool goes_on = found && (round <= 1 || gain > tuning::least_gain_of_round * missing);
-        if (!goes_on && !columns_.heed_times()) return;
+        if (!goes_on && !columns_.search_longer() && !columns_.heed_times()) return;
     }
 }
 

@@ -189,33 +189,41 @@ void Relaxation::ascend(double reached) {
 std::vector<double> Relaxation::prices_of(std::size_t vehicle, const Prices& at,
                                           const std::vector<double>& free) const {
     std::vector<double> prices(free.size(), 0);
-    for (const Obstacle& obstacle : problem_.map().obstacles()) {
-        if (columns_.may_gain(vehicle, obstacle)) prices[obstacle.id.value] = free[obstacle.id.value];
-    }
+    for (const Obstacle& obstacle : problem_.map().obstacles())
+        prices[obstacle.id.value] = free[obstacle.id.value] * claim(vehicle, at.weights[vehicle], obstacle);
     for (std::size_t k = 0; k < at.prices[vehicle].size(); ++k) {
         prices[columns_.of(vehicle).obstacles[k].value] = at.prices[vehicle][k];
     }
     return prices;
 }
 
-// What each vehicle that does not know of an obstacle, and may gain by it, can be charged without the bound losing by
-// it: so searches look for what would gain. By id. And what all pay then.
+// How an obstacle that a vehicle does not know of is charged, beside other vehicles: all that may gain alike. Where
+// they do not collide some may gain far more than others, as who has no way at all: each by what it may gain at most.
+double Relaxation::claim(std::size_t vehicle, double weight, const Obstacle& obstacle) const {
+    if (problem_.rules().collisions) return columns_.may_gain(vehicle, obstacle) ? 1 : 0;
+    return weight * columns_.most_gain(vehicle, obstacle);
+}
+
+// What vehicles that do not know of an obstacle, and may gain by it, can be charged without the bound losing by it: so
+// searches look for what would gain. By id, for each unit of their claims. And what all pay then.
 std::vector<double> Relaxation::offer_all(const Prices& at) {
     const std::size_t ids = problem_.map().obstacles().size() + 1;
     const FreeOffers free(offers(at), std::size_t(problem_.spare_removals()));
     std::vector<double> paid(ids, 0);
-    std::vector<double> unpriced(ids, 0);
+    std::vector<double> claims(ids, 0);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         if (at.weights[i] == 0) continue;
-        for (const Obstacle& obstacle : problem_.map().obstacles()) {
-            if (columns_.may_gain(i, obstacle)) unpriced[obstacle.id.value] += 1;
-        }
+        std::vector<char> known(ids, 0);
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) {
             const ObstacleId id = columns_.of(i).obstacles[k];
             paid[id.value] += at.prices[i][k];
-            if (columns_.may_gain(i, problem_.map().obstacle(id))) unpriced[id.value] -= 1;
+            known[id.value] = 1;
+        }
+        for (const Obstacle& obstacle : problem_.map().obstacles()) {
+            if (known[obstacle.id.value] == 0) claims[obstacle.id.value] += claim(i, at.weights[i], obstacle);
         }
     }
+    const double most = problem_.rules().collisions ? infinity : 1;  // who pays all that it may gain, gains nothing
     std::vector<double> shares(ids, 0);
     std::vector<Offer> all;
     for (const Obstacle& obstacle : problem_.map().obstacles()) {
@@ -224,9 +232,9 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
         double detour = number == number_of_.end() ? problem_.short_detour(obstacle.id) : detours_[number->second];
         if (!problem_.sums()) detour = 0;
         if (problem_.sums()) paid[id] -= problem_.weighted_breach_time(obstacle.id);
-        if (unpriced[id] > 0 && std::isinf(problem_.spare_budget())) {
-            const double more = std::max(free.of(detour) - paid[id], 0.0);
-            shares[id] = more / unpriced[id];
+        if (claims[id] > 0 && std::isinf(problem_.spare_budget())) {
+            const double more = std::min(std::max(free.of(detour) - paid[id], 0.0), most * claims[id]);
+            shares[id] = more / claims[id];
             paid[id] += more;
         }
         all.push_back({obstacle.id, paid[id], detour});

@@ -75,6 +75,7 @@ class Relaxation {
     Offers offers(const Prices& at) const;
     double best_paid(const Offers& offers, std::vector<ObstacleId>& chosen) const;
     void ascend(double reached);
+    double claim(std::size_t vehicle, double weight, const Obstacle& obstacle) const;
     std::vector<double> offer_all(const Prices& at);
     std::vector<double> prices_of(std::size_t vehicle, const Prices& at, const std::vector<double>& free) const;
     bool prove(Prices at, std::optional<double> margin = std::nullopt);

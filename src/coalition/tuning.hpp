@@ -57,6 +57,8 @@ inline constexpr std::uint64_t most_pricing_expansions = 6'000;
 // times has proven.
 inline constexpr std::uint64_t most_first_expansions_in_time = 5'000;
 inline constexpr std::uint64_t most_pricing_expansions_in_time = 1'500;
+// Expansions of the first searches of all vehicles together, where these never collide.
+inline constexpr std::uint64_t most_first_expansions_of_all = 240'000;
 // Vehicles that never collide: of more, searches heed when obstacles open only when prices gain no more without.
 inline constexpr std::size_t most_vehicles_in_time_at_first = 10;
 // Share of the best column's cost: no enumeration goes farther.

@@ -22,10 +22,6 @@ bool times_are_lengths(const Mission& mission) {
                        [](const Agent& agent) { return agent.speed == 1; });
 }
 
-double time_factor(const Mission& mission, const PictureOptions& options) {
-    return times_are_lengths(mission) && !options.seconds ? options.cell_size : 1;
-}
-
 std::string number(std::optional<double> value, double factor) {
     if (!value) return dash;
     const double shown = *value * factor;
@@ -88,6 +84,10 @@ std::optional<double> length_of_all(const Outcome& outcome) {
 }
 
 }  // namespace
+
+double time_factor(const Mission& mission, const PictureOptions& options) {
+    return times_are_lengths(mission) && !options.seconds ? options.cell_size : 1;
+}
 
 std::string time_text(double time, const Mission& mission, const PictureOptions& options) {
     return number(time, time_factor(mission, options));

@@ -20,6 +20,9 @@ std::string headline(const Map& map, const Mission& mission, const Plan& plan, c
 // A time as in the headline, without its unit: "208.7".
 std::string time_text(double time, const Mission& mission, const PictureOptions& options);
 
+// What a unit of the mission's time is in them.
+double time_factor(const Mission& mission, const PictureOptions& options);
+
 // The unit of all times of the picture.
 std::string time_unit(const Mission& mission, const PictureOptions& options);
 

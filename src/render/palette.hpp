@@ -43,6 +43,9 @@ inline constexpr std::string_view keep_out = "#3d3a8c";
 inline constexpr std::string_view ink = "#26231f";
 inline constexpr std::string_view faded_ink = "#6a635a";
 inline constexpr std::string_view halo = "#ffffff";
+// Ground by when it is reached, soonest first; each lighter than the one before, so that they print in grey.
+inline constexpr std::array<std::string_view, 6> bands{"#095d6c", "#208089", "#42a3a3",
+                                                       "#74c4b9", "#a8decf", "#dbf4e8"};
 // Of a team's vehicles; those after the last begin again with another pattern.
 inline constexpr std::array<std::string_view, 10> vehicles{"#0072b2", "#d41972", "#065605", "#6c2787", "#816339",
                                                            "#8150ea", "#34080a", "#2c39ca", "#690a36", "#110d72"};
@@ -68,6 +71,7 @@ inline constexpr double breach_label = 11;  // radius
 inline constexpr double start = 9.5;        // radius
 inline constexpr double start_at_goal = 22;
 inline constexpr double goal = 15;  // radius of the star
+inline constexpr double place = 9;  // radius of the one that counts for most
 }  // namespace size
 
 }  // namespace waybreaker::render

@@ -11,12 +11,14 @@
 
 #include "render/caption.hpp"
 #include "render/ground.hpp"
-#include "render/layout.hpp"
+#include "render/legend.hpp"
 #include "render/motion.hpp"
 #include "render/name_places.hpp"
 #include "render/note_lines.hpp"
 #include "render/palette.hpp"
+#include "render/reach.hpp"
 #include "render/sample.hpp"
+#include "render/scene.hpp"
 #include "render/signs.hpp"
 #include "render/waits.hpp"
 #include "render/xml_text.hpp"
@@ -36,38 +38,10 @@ void validate(const PictureOptions& options) {
     }
 }
 
-// Everything the parts of one picture are drawn from.
-struct Scene {
-    const Map& map;
-    const Mission& mission;
-    const Plan& plan;
-    const PictureOptions& options;
-    Layout layout;
-    std::array<std::string, style_count> outlines;
-
-    const std::string& outline(Style style) const { return outlines[std::size_t(style)]; }
-    double unit() const { return layout.unit; }
-    double raster_scale() const { return layout.cell * layout.sample_step; }
-    template <class Place>
-    std::vector<Point> on_map(const std::vector<Place>& path) const {
-        std::vector<Point> points;
-        for (const Place at : path) points.push_back(layout.at(at.x, at.y));
-        return points;
-    }
-    // Each place once, in the order of the agents.
-    std::vector<Point> places(Cell Agent::*which) const {
-        std::vector<Cell> cells;
-        for (const Agent& agent : mission.agents) {
-            if (std::find(cells.begin(), cells.end(), agent.*which) == cells.end()) cells.push_back(agent.*which);
-        }
-        return on_map(cells);
-    }
-};
-
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) +
-                      ground(scene.options.annotations.background, layout);
+                      (scene.options.reach ? draw_bands(scene) : ground(scene.options.annotations.background, layout));
     for (const Style style : {Style::water, Style::off_road, Style::forbidden, Style::cliff, Style::unknown,
                               Style::obstacle, Style::barrier, Style::fixed_obstacle, Style::removed}) {
         out += obstacle_sign(style, scene.outline(style), {layout.map.x, layout.map.y}, scene.raster_scale(),
@@ -85,6 +59,7 @@ std::string draw_team(const Scene& scene) {
     for (const Itinerary& agent : scene.plan.agents) {
         const std::vector<Point> path = scene.on_map(agent.path);
         out += agent.kind == AgentKind::air ? aircraft_sign(aircraft++, path, scene.unit())
+               : scene.options.reach        ? drive_sign(path, scene.unit())
                                             : vehicle_sign(vehicle++, path, scene.unit());
     }
     return out;
@@ -108,22 +83,10 @@ Name note(const Scene& scene, Point sign, const std::string& text, std::size_t l
     return {sign, text, text_width(letters, size::small_text * scene.unit()), (size::breach_label + 4) * scene.unit()};
 }
 
-// Of several aircraft the one that breaches, in the mission's order; empty if there is no doubt.
-std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
-    std::size_t count = 0;
-    std::optional<std::size_t> found;
-    for (const Agent& agent : scene.mission.agents) {
-        if (agent.kind != AgentKind::air) continue;
-        if (agent.id == breach.by) found = count;
-        ++count;
-    }
-    return count > 1 ? found : std::nullopt;
-}
-
 // When it is over, and by whom.
 Name breach_note(const Scene& scene, Point sign, const Breach& breach) {
     const std::string time = time_text(breach.cleared_at, scene.mission, scene.options);
-    if (!opener(scene, breach)) return note(scene, sign, time, time.size());
+    if (!scene.opener(breach)) return note(scene, sign, time, time.size());
     constexpr std::size_t most = 12;
     return note(scene, sign, fmt::format("{} {}", time, xml_text(breach.by, most)),
                 time.size() + 1 + std::min(breach.by.size(), most + 1));
@@ -163,7 +126,7 @@ Moments moments(const Scene& scene, const std::vector<Point>& taken) {
             result.notes.push_back(breach ? breach_note(scene, at, removed[i])
                                           : wait_note(scene, at, waiting[i - removed.size()]));
         }
-        if (const auto aircraft = breach && numbered ? opener(scene, removed[i]) : std::nullopt) {
+        if (const auto aircraft = breach && numbered ? scene.opener(removed[i]) : std::nullopt) {
             result.signs += opener_sign(at, *aircraft, scene.unit());
         }
         result.signs += breach ? breach_label(at, numbered ? std::to_string(i + 1) : "", scene.unit())
@@ -204,97 +167,19 @@ std::string draw_marks(const Scene& scene) {
     const std::vector<Point> goals = scene.places(&Agent::goal);
     std::vector<Point> taken = starts;
     taken.insert(taken.end(), goals.begin(), goals.end());
+    std::string out;
+    if (scene.options.reach) {
+        const std::vector<Point> places = scene.on_map(places_of(scene));
+        taken.insert(taken.end(), places.begin(), places.end());
+        out += draw_places(scene);
+    }
     const Moments all = moments(scene, taken);
-    std::string out = all.signs;
+    out += all.signs;
     for (const Point start : starts) {
         out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
     }
     for (const Point goal : goals) out += goal_sign(goal, scene.unit());
     return out + draw_written(scene, all, taken);
-}
-
-struct LegendEntry {
-    std::string sign;  // drawn at the origin: 46 thousandths wide, centred vertically
-    std::string_view name;
-};
-
-std::string path_sample(const Scene& scene, PathSign sign) {
-    return path_sign(sign, {{2 * scene.unit(), 0}, {44 * scene.unit(), 0}}, scene.unit());
-}
-
-std::vector<LegendEntry> single_paths(const Scene& scene) {
-    const Outcome& before = scene.plan.before;
-    const Outcome& after = scene.plan.after;
-    std::vector<LegendEntry> entries;
-    if (!after.ground().path.empty()) entries.push_back({path_sample(scene, PathSign::ground), "ground path"});
-    if (before.ground().path != after.ground().path && !before.ground().path.empty()) {
-        entries.push_back({path_sample(scene, PathSign::ground_before), "ground path before"});
-    }
-    entries.push_back({path_sample(scene, PathSign::air), "air path"});
-    if (before.air().path != after.air().path && !before.air().path.empty()) {
-        entries.push_back({path_sample(scene, PathSign::air_before), "air path before"});
-    }
-    return entries;
-}
-
-std::vector<LegendEntry> team_paths(const Scene& scene) {
-    const double unit = scene.unit();
-    std::vector<LegendEntry> entries{{vehicle_sign(0, {{2 * unit, 0}, {22 * unit, 0}}, unit) +
-                                          vehicle_sign(1, {{24 * unit, 0}, {44 * unit, 0}}, unit),
-                                      "ground paths"}};
-    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
-    if (std::ranges::any_of(scene.mission.agents, flies)) {
-        entries.push_back({path_sample(scene, PathSign::air), "air path"});
-    }
-    return entries;
-}
-
-// The signs that this picture uses.
-std::vector<LegendEntry> legend(const Scene& scene) {
-    const double unit = scene.unit();
-    const Point middle = {23 * unit, 0};
-    const auto swatch = [&](Style style) {
-        const double scale = scene.raster_scale();
-        const double width = 34 * unit / scale;
-        const double height = 16 * unit / scale;
-        return obstacle_sign(style, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
-                             scale, unit);
-    };
-    std::vector<LegendEntry> entries = {{start_sign(middle, unit), "start"}, {goal_sign(middle, unit), "goal"}};
-    for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
-        entries.push_back(std::move(entry));
-    }
-    for (std::size_t i = 0; i < std::size_t(Style::removed); ++i) {
-        if (!scene.outline(Style(i)).empty()) entries.push_back({swatch(Style(i)), style_words[i]});
-    }
-    for (const auto& [kind, words] : zone_words(scene.mission))
-        entries.push_back({zone_sample(kind, {6 * unit, -8 * unit, 34 * unit, 16 * unit}, unit), words});
-    if (!scene.plan.breaches.empty()) {
-        entries.push_back({swatch(Style::removed), style_words[std::size_t(Style::removed)]});
-        const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
-        entries.push_back({breach_label(middle, "1", unit), has_opener ? "breach, when, who" : "breach, when"});
-    }
-    if (!waits(scene.plan).empty()) entries.push_back({wait_sign(middle, unit), "wait, how long"});
-    return entries;
-}
-
-// Two columns.
-std::size_t rows_of(const std::vector<LegendEntry>& entries) {
-    return (entries.size() + 1) / 2;
-}
-
-std::string draw_legend(const Scene& scene, const std::vector<LegendEntry>& entries, double top) {
-    const double unit = scene.unit();
-    const std::size_t rows = rows_of(entries);
-    std::string out;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const bool is_left = i < rows;
-        const double x = (size::margin + (is_left ? 0 : 265)) * unit;
-        const double y = top + (double(is_left ? i : i - rows) + 0.5) * size::row * unit;
-        out += fmt::format("<g transform=\"translate({:.6g} {:.6g})\">\n{}</g>\n", x, y, entries[i].sign);
-        out += text({x + 58 * unit, y + 0.36 * size::text * unit}, entries[i].name, size::text * unit, colour::ink);
-    }
-    return out;
 }
 
 std::string draw_figures(const Scene& scene, double top) {
@@ -389,7 +274,8 @@ std::string svg(const Map& map, const Mission& mission, const Plan& plan, const 
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"
         "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
         layout.width, layout.height, xml_text(options.annotations.title, 200), headline(map, mission, plan, options),
-        patterns(layout.unit, scene.raster_scale()));
+        patterns(layout.unit, scene.raster_scale()) +
+            (options.reach ? reach_patterns(layout.unit, scene.raster_scale()) : ""));
     const Motion moving = options.animate ? motion(map, mission, plan, layout, options.annotations) : Motion{};
     return head + moving.style +
            rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +

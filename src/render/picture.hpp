@@ -3,8 +3,10 @@
 //     save("plan.svg", render::svg(map, mission, plan, {.annotations = {.title = "Berlin"}}));
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "model/reach.hpp"
 #include "site/annotations.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
@@ -25,6 +27,8 @@ struct PictureOptions {
     // The title is the first line, the notes stand below the legend, the attribution in small print; the background is
     // drawn beneath the obstacles, water as such, unknown ground too; what is removed is called by its sections.
     site::Annotations annotations = {};
+    // Drawn as bands of time in place of the background, what the plan gains marked, and places as dots.
+    std::optional<Reach> reach = {};
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

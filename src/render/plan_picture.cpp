@@ -21,8 +21,10 @@ PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument
     return options;
 }
 
-std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan) {
-    return svg(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked, plan.plan));
+std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan, std::optional<Reach> reach) {
+    PictureOptions options = picture_options(map, plan.asked, plan.plan);
+    options.reach = std::move(reach);
+    return svg(map.map, plan.asked.mission, plan.plan, options);
 }
 
 std::string plan_sentence(const io::MapFile& map, const io::PlanFile& plan) {

@@ -86,6 +86,18 @@ struct Assembly {
 
 }  // namespace
 
+void Searcher::explore(const OpenedMap& map, Cell start, SearchOptions options) {
+    options.heuristic = Heuristic::zero;
+    validate(options);
+    if (options.planner == Algorithm::optimal || options.planner == Algorithm::jps)
+        throw InputError("only a search from cell to cell explores: neither jps nor optimal");
+    const LineOfSight sight(map, options.body);
+    if (!map.map().grid().contains(start) || !sight.fits(start)) return;
+    constexpr Cell nowhere{-1, -1};
+    const Query query{map, start, nowhere, Heuristic::zero, 1, options};
+    (void)Assembly{query, sight, memory_->nodes, memory_->open}.assemble();
+}
+
 SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {
     validate(options);
     if (options.planner == Algorithm::optimal)

@@ -25,6 +25,7 @@
 #include "io/plan_ros_path.hpp"
 #include "io/shortest_text.hpp"
 #include "mapfile/map_info.hpp"
+#include "mission/reach.hpp"
 #include "raster/png.hpp"
 #include "render/plan_picture.hpp"
 #include "service/responses.hpp"
@@ -151,7 +152,7 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
 std::string drawn(const io::MapFile& file, const io::PlanFile& plan) {
     if (plan.plan.agents.empty())
         throw http::Problem(http::unprocessable, "the plan has no agents to draw", "plan-invalid");
-    return render::plan_svg(file, plan);
+    return render::plan_svg(file, plan, reach_of(file.map, plan.asked.mission, plan.plan));
 }
 
 const std::map<std::string, std::string> export_types{{"json", json_type},

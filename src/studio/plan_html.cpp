@@ -9,6 +9,7 @@
 #include "io/obstacles_json.hpp"
 #include "io/plan_file.hpp"
 #include "mapfile/map_info.hpp"
+#include "mission/reach.hpp"
 #include "render/plan_picture.hpp"
 #include "studio/plan_page.hpp"
 
@@ -20,7 +21,7 @@ StillPlan still_of(const io::MapFile& map, const std::string& plan) {
     const io::PlanFile file = io::parse_plan(plan, "the plan");
     return {.title = "Plan: " + map.name(),
             .sentence = render::plan_sentence(map, file),
-            .picture = render::plan_svg(map, file)};
+            .picture = render::plan_svg(map, file, reach_of(map.map, file.asked.mission, file.plan))};
 }
 
 }  // namespace

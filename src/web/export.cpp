@@ -5,6 +5,7 @@
 #include "io/check_report.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
+#include "mission/reach.hpp"
 #include "render/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 
@@ -35,7 +36,7 @@ std::string exported(const io::DocumentedMap& map, const std::string& bytes, con
     if (format == "csv") return io::plan_csv(plan.plan, map.file, to_lon_lat(map.place), units);
     if (format != "svg") throw InputError("the format is none of json, geojson, csv, svg");
     if (plan.plan.agents.empty()) throw InputError("the plan has no agents to draw");
-    return render::plan_svg(map.file, plan);
+    return render::plan_svg(map.file, plan, reach_of(map.file.map, plan.asked.mission, plan.plan));
 }
 
 }  // namespace waybreaker::web

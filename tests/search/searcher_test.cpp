@@ -190,6 +190,49 @@ TEST(Searcher, WalksTheThinnestMaps) {
     }
 }
 
+// Cells as they are expanded.
+struct Heard : SearchListener {
+    std::vector<std::pair<Cell, double>> cells;
+    void generated(Cell, Cell, double, double) override {}
+    void updated(Cell, Cell, double, double) override {}
+    void expanded(Cell cell, Cell, double g, double) override { cells.emplace_back(cell, g); }
+};
+
+RC_GTEST_PROP(Searcher, ExploresWhatThereIsAWayTo, ()) {
+    const PlainMap plain = *random_map(12, 10);
+    const Map map(plain.grid());
+    const Cell start = any_free_cell(plain);
+    const Algorithm planner = *rc::gen::element(Algorithm::dijkstra, Algorithm::bfs, Algorithm::astar, Algorithm::theta,
+                                                Algorithm::lazy_theta);
+    Heard heard;
+    Searcher searcher;
+    searcher.explore(OpenedMap(map), start, {.planner = planner, .weight = 3, .listener = &heard});
+    std::set<Cell> seen;
+    double last = 0;
+    for (const auto& [cell, g] : heard.cells) {
+        RC_ASSERT(seen.insert(cell).second);
+        if (planner == Algorithm::lazy_theta) continue;  // may find that a cell is farther than it was taken to be
+        RC_ASSERT(g >= last - 1e-9);
+        last = g;
+        const SearchResult way = searcher.find(OpenedMap(map), start, cell, {.planner = Algorithm::dijkstra});
+        if (planner == Algorithm::dijkstra || planner == Algorithm::astar) RC_ASSERT(std::abs(g - way.length) < 1e-9);
+    }
+    for (const Cell cell : plain.free_cells()) {
+        const SearchResult way = searcher.find(OpenedMap(map), start, cell, {.planner = Algorithm::dijkstra});
+        RC_ASSERT((way.status == SearchStatus::found) == seen.contains(cell));
+    }
+}
+
+TEST(Searcher, ExploresFromNowhereNothing) {
+    const Map map = map_from_ascii("..#");
+    Heard heard;
+    Searcher().explore(OpenedMap(map), {2, 0}, {.listener = &heard});
+    Searcher().explore(OpenedMap(map), {5, 0}, {.listener = &heard});
+    EXPECT_TRUE(heard.cells.empty());
+    EXPECT_THROW(Searcher().explore(OpenedMap(map), {0, 0}, {.planner = Algorithm::jps}), InputError);
+    EXPECT_THROW(Searcher().explore(OpenedMap(map), {0, 0}, {.planner = Algorithm::optimal}), InputError);
+}
+
 TEST(Searcher, RefusesOptionsThatContradictEachOther) {
     EXPECT_THROW(validate(SearchOptions{.weight = 0.99}), InputError);
     EXPECT_THROW(validate(SearchOptions{.weight = std::nan("")}), InputError);

@@ -53,6 +53,10 @@ class Searcher {
     // what it visits. Not for use by two threads at once.
     SearchResult find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options = {});
 
+    // Searches on until every cell that has a path is expanded, for the listener of the options: it hears of each once,
+    // the nearest first. Without a heuristic, so not by JPS. Throws and remembers as find.
+    void explore(const OpenedMap& map, Cell start, SearchOptions options);
+
   private:
     class Memory;
     std::unique_ptr<Memory> memory_;
