@@ -5,7 +5,6 @@
 //     Plan plan = Planner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -96,7 +95,7 @@ struct Agent {
     // Where it is when it is ready: where its flight or drive begins.
     Point begin() const { return from.value_or(Point(start)); }
     // How long a flight of it may take, in units of time; infinity if any time.
-    double longest_flight() const { return (1 - reserve) * (std::min)(range / speed, endurance); }
+    double longest_flight() const { return (1 - reserve) * (range / speed < endurance ? range / speed : endurance); }
     // Whether it has taken off when it was ready and lands at that time: by more than rounding.
     bool may_land_at(double time) const { return time - ready_at <= longest_flight() * (1 + 1e-9); }
 };
