@@ -144,13 +144,18 @@ void ExactSelection::try_square_first() {
 }
 
 CrossingResult ExactSelection::try_square() {
-    options_ = crossing_options(task_, !drives_by_crossing(task_), task_.worth(best_) * (1 - rounding),
-                                deadline_.left(), opening_times_);
-    options_.expected = costliest_path(task_, bound_.objective, opening_times_);
-    options_.limits.expansions = std::min(options_.limits.expansions, expansions_of_square());
-    CrossingResult found = find_path(task_, searchers_.crossing, options_, opening_times_);
+    CrossingOptions options = options_of_square(task_.worth(best_) * (1 - rounding));
+    options.limits.expansions = std::min(options.limits.expansions, expansions_of_square());
+    CrossingResult found = find_path(task_, searchers_.crossing, options, opening_times_);
     if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
     return found;
+}
+
+CrossingOptions ExactSelection::options_of_square(double objective) {
+    CrossingOptions options =
+        crossing_options(task_, !drives_by_crossing(task_), objective, deadline_.left(), opening_times_);
+    options.expected = costliest_path(task_, bound_.objective, opening_times_);
+    return options;
 }
 
 void ExactSelection::try_for_square() {
@@ -199,13 +204,12 @@ void ExactSelection::try_steps(double seconds) {
 }
 
 bool ExactSelection::try_others(const CrossingResult& first) {
-    options_.length_limit = costliest_path(task_, task_.worth(best_), opening_times_);
-    options_.limits.seconds = deadline_.left();
+    CrossingOptions options = options_of_square(task_.worth(best_));
     std::uint64_t own = expansions_of_square();
     if (!opening_times_.matter()) {
         own = std::min(tuning::enumeration, std::max(tuning::least_enumeration, first.expanded / 2));
     }
-    options_.limits.expansions = std::min(options_.limits.expansions, own);
+    options.limits.expansions = std::min(options.limits.expansions, own);
     CrossingSearcher enumerator = crossing::Access::another(searchers_.crossing);
     int tried = 0;
     bool is_enough = false;
@@ -217,7 +221,7 @@ bool ExactSelection::try_others(const CrossingResult& first) {
         try_out(path, first);
         return !deadline_.passed();
     };
-    const CrossingResult rest = enumerate_paths(task_, enumerator, options_, opening_times_, try_next);
+    const CrossingResult rest = enumerate_paths(task_, enumerator, options, opening_times_, try_next);
     const bool cut = is_cut(rest.status);
     // A budget of its own is the method's; the limits are the caller's.
     selected_.limited = selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < own);

@@ -78,6 +78,7 @@ class ExactSelection {
     bool passes_more_than_square() const;
     bool has_little_time() const;
     std::uint64_t expansions_of_square() const;
+    CrossingOptions options_of_square(double objective);
 
     const Task& task_;
     Searchers searchers_;
@@ -88,10 +89,9 @@ class ExactSelection {
     Selected& selected_;
     Bound bound_;                           // of the relaxed body
     std::optional<CrossingResult> square_;  // of try_square_first(), where it came to its end
-    CrossingOptions options_;
-    Stopwatch since_last_;   // set
-    double best_;            // objective to be beaten
-    bool of_fewer_ = false;  // part of a selection with more removals
+    Stopwatch since_last_;                  // set
+    double best_;                           // objective to be beaten
+    bool of_fewer_ = false;                 // part of a selection with more removals
 };
 
 }  // namespace waybreaker
