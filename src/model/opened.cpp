@@ -16,15 +16,18 @@ OpenedByThemselves::OpenedByThemselves(const Map& map, const Mission& mission) :
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) first_move = std::min(first_move, agent.ready_at);
     }
+    const auto never_stands = [&](const TimedOpening& opening) {
+        return rules.timing == Timing::ignore || opening.at <= first_move;
+    };
     std::vector<MapEdit> edits;
     for (const TimedOpening& opening : rules.opened) {
         std::erase(rules.protect, opening.obstacle);
-        if (opening.at <= first_move && !map.obstacle(opening.obstacle).gone())
+        if (never_stands(opening) && !map.obstacle(opening.obstacle).gone())
             edits.push_back(MapEdit::remove(opening.obstacle));
     }
     // What is gone already does not open.
     std::erase_if(rules.opened, [&](const TimedOpening& opening) {
-        return opening.at <= first_move || map.obstacle(opening.obstacle).gone();
+        return never_stands(opening) || map.obstacle(opening.obstacle).gone();
     });
     if (!edits.empty()) opened_ = map.with(edits);
 }

@@ -1,5 +1,5 @@
 // Obstacles that open by themselves (Rules::opened), as planning sees them: those that are open before anybody moves
-// never were there.
+// never were there, and none ever was where timing is ignored.
 #pragma once
 
 #include <optional>
