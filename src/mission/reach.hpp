@@ -14,6 +14,6 @@ namespace waybreaker {
 // Theta*'s ways, with a stop where they are not open yet: no shorter way to wait is looked for, as the planner does for
 // its vehicles. Of up to four openings that are not there from the beginning, each cell has the best of all sets of
 // them, else of sets of those that are there first.
-std::optional<Reach> reach_of(const Map& map, const Mission& mission, const Plan& plan);
+std::optional<Reach> reach_of(const Map& given, const Mission& asked, const Plan& plan);
 
 }  // namespace waybreaker

@@ -16,7 +16,7 @@ void validate_flights(const Map& map, const Mission& mission);
 
 // Why no aircraft that may breach breaches that obstacle and comes home, of the one that comes nearest to it; empty if
 // one can. REQUIRES: aircraft have their airspace.
-std::optional<OutOfRange> out_of_range(const Map& map, const Mission& mission, ObstacleId obstacle);
+std::optional<OutOfRange> out_of_range(const Map& map, const Mission& mission, ObstacleId id);
 
 // The mission with all that protected which no aircraft can breach and come home from. REQUIRES: as above.
 Mission protecting_out_of_range(const Map& map, const Mission& mission);

@@ -1,6 +1,7 @@
 #include "select/bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "drive/centres.hpp"
@@ -15,7 +16,8 @@ namespace {
 double raised_through_centres(const Task& task, double proven, double reached, const OpeningTimes& opening_times) {
     const Body& body = task.driver.body;
     const bool bends_at_centres = body.corners == Corners::none && !body.is_point();
-    if (task.spare_removals() > 0 || !bends_at_centres || task.worth(reached) <= worth_centres * proven) return proven;
+    if (task.spare_removals() > 0 || !bends_at_centres || std::isinf(reached)) return proven;
+    if (task.worth(reached) <= worth_centres * proven) return proven;
     const double known = costliest_path(task, reached, opening_times);
     const double least = least_through_centres(OpenedMap(task.map, task.given), task.driver.start, task.driver.goal,
                                                body, known, most_sight_lines);
