@@ -11,7 +11,7 @@ namespace waybreaker {
 namespace {
 
 // A stop between two bends is at a cell centre beside the path.
-constexpr double aside = 2.13;  // cells: the farthest of the nine centres around a place
+constexpr double aside = 1.5;  // cells
 
 std::string text(ObstacleId id) {
     return "obstacle " + std::to_string(id.value);

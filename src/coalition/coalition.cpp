@@ -243,6 +243,7 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choic
     if (std::isinf(best.objective)) return with_alternatives(std::move(first));
     best.bound = std::min(bound, best.objective);
     best.limited = best.limited || first.limited;
+    best.missed = best.missed || first.missed;
     return with_alternatives(std::move(best));
 }
 

@@ -21,6 +21,7 @@ struct CoalitionPlan {
     double bound = 0;                   // no plan has a smaller objective
     bool proven = false;                // whether that bound was looked for
     bool limited = false;
+    bool missed = false;  // vehicles did not get past each other with a set that promised as much
     // Where a share is given: other sets that were evaluated, each as a plan; the best first, collisions aside.
     std::vector<CoalitionPlan> alternatives;
 };

@@ -132,7 +132,10 @@ void plan_collision_free(const Problem& problem, const team::Interrupts& interru
         if (most && i >= *most && !draft.set.empty() && plan.objective < infinity) continue;
         const DraftPlanner planner(problem, interrupts, plan, draft);
         team::TeamPlan planned = planner.plan_paths();
-        if (planned.status != SearchStatus::found) continue;
+        if (planned.status != SearchStatus::found) {
+            plan.missed = plan.missed || !draft.set.empty();
+            continue;
+        }
         std::vector<team::Path> flights = planner.flights();
         const double reached = planner.objective(planned.paths, flights);
         if (reached >= plan.objective) continue;

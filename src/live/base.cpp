@@ -13,6 +13,8 @@ namespace {
 // Places at which an agent may stop between bends: so many, so far apart, in cells.
 constexpr int most_stops = 12;
 constexpr double between_stops = 0.5;
+// From the path to the centre of the cell where an agent stops, at most, in cells.
+constexpr double farthest_aside = 1.5;
 // Who comes just when an obstacle opens comes in time, give or take what places between points lose.
 constexpr double punctual = 1e-7;
 constexpr double grazing = 1e-6;  // cells
@@ -123,6 +125,7 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
             if (!opened.map().grid().contains(cell) || !sight.fits(cell)) continue;
             Base base = way;
             const double driven = distance(Point(way.back().x, way.back().y), Point(cell));
+            if (driven > farthest_aside) continue;
             if (driven > 0) base.push_back({double(cell.x), double(cell.y), time + driven / agent.speed});
             add(std::move(base));
             if (bases.size() >= most) return bases;

@@ -13,6 +13,14 @@ Point place(const Waypoint& p) {
     return {p.x, p.y};
 }
 
+// Whether it stays there for as long as a breach takes.
+bool works_until(const Itinerary& agent, std::size_t point) {
+    if (agent.kind == AgentKind::air) return true;
+    return std::ranges::any_of(agent.waits, [&](const Wait& wait) {
+        return wait.agent == agent.id && std::abs(wait.until - agent.path[point].t) <= near_enough;
+    });
+}
+
 }  // namespace
 
 std::vector<Waypoint> Position::flight() const {
@@ -38,18 +46,6 @@ std::vector<Waypoint> until(const std::vector<Waypoint>& path, double time) {
     if (part.empty() || part.back().t < time) part.push_back(place_on(path, time));
     return part;
 }
-
-namespace {
-
-// Whether it stays there for as long as a breach takes.
-bool works_until(const Itinerary& agent, std::size_t point) {
-    if (agent.kind == AgentKind::air) return true;
-    return std::ranges::any_of(agent.waits, [&](const Wait& wait) {
-        return wait.agent == agent.id && std::abs(wait.until - agent.path[point].t) <= near_enough;
-    });
-}
-
-}  // namespace
 
 Position position_of(const Itinerary& agent, const AgentState* state, double now) {
     const std::vector<Waypoint>& path = agent.path;

@@ -174,27 +174,31 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
     std::vector<std::uint32_t> hits;
-    const auto choose = [&](const Method& how) {
+    const auto choose = [&](const Method& how, bool instead) {
         if (how.select == Selection::hits) hits = hits_of_team(map, mission, how, interrupts, searcher);
         coalition::Choice choice = choice_of(map, mission, how, hits);
+        // In place of another choice, as much of a list as is best.
+        if (instead && choice.selecting == coalition::Selecting::as_list)
+            choice.selecting = coalition::Selecting::listed;
         if (evaluated != nullptr) choice.share = evaluated->share;
         return coalition::plan_coalition(map, mission, choice, fewer, interrupts, crossing, searcher, tell);
     };
-    coalition::CoalitionPlan made = choose(method);
+    coalition::CoalitionPlan made = choose(method, false);
     // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
     for (const Selection select : {Selection::greedy, Selection::hits}) {
-        if (method.select != Selection::exact || made.status == SearchStatus::found ||
-            made.status == SearchStatus::no_path || interrupts.due())
+        const bool lets_past = made.status == SearchStatus::found && !made.missed;
+        if (method.select != Selection::exact || lets_past || made.status == SearchStatus::no_path || interrupts.due())
             break;
         if (select == Selection::greedy && !moves_greedily(mission, method)) continue;
         Method other = method;
         other.select = select;
         other.bound = false;
-        coalition::CoalitionPlan found = choose(other);
-        if (found.status != SearchStatus::found) continue;
+        coalition::CoalitionPlan found = choose(other, true);
+        if (found.status != SearchStatus::found || found.objective >= made.objective) continue;
         found.bound = std::min(made.bound, found.objective);
         found.proven = made.proven;
         found.limited = found.limited || made.limited;
+        found.missed = made.missed;
         made = std::move(found);
     }
     if (method.select != Selection::hits) hits.clear();

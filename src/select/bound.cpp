@@ -24,6 +24,43 @@ double raised_through_centres(const Task& task, double proven, double reached, c
     return std::max(proven, std::min(least_objective(task, least, opening_times), reached));
 }
 
+Bound prove_by_search(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                      OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
+    CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
+    options.limits.expansions = std::min(options.limits.expansions, expansions);
+    options.expected = std::max(costliest_path(task, proven, opening_times), expected);
+    const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
+    if (opening_times.matter()) {
+        options.limits.expansions = std::min(options.limits.expansions, tuning::proof_in_time);
+        CrossingResult found = find_path(task, crossing, options, opening_times);
+        const bool cut = found.status == SearchStatus::limit_reached;
+        const bool own_budget = cut && found.expanded >= tuning::proof_in_time;
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), cut && !own_budget};
+    }
+    if (task.rules.objective != Objective::flowtime) {
+        CrossingResult found = find_path(task, crossing, options, opening_times);
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
+    }
+    // The flight past the obstacles of a set counts as well.
+    Bound best{infinity, {}};
+    const int most_tried = opening_times.are_at_once() ? 1 : most_sets(task);  // the proof in time knows more
+    int tried = 0;
+    const CrossingResult rest = enumerate_paths(task, crossing, options, opening_times, [&](const CrossingPath& path) {
+        const double useless = std::min(best.objective, task.worth(reached));
+        if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
+        ++tried;
+        const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
+        const double objective = least(path.cost, least_return(task, removed));
+        if (objective < best.objective) best = {objective, path.crossed};
+        return true;
+    });
+    best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
+    best.limited = rest.status == SearchStatus::limit_reached;
+    return best;
+}
+
 }  // namespace
 
 crossing::Opener opener_of(const Task& task, OpeningTimes& opening_times) {
@@ -120,47 +157,6 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     options.limits.expansions = std::min(options.limits.expansions, tuning::priced);
     return find_path(task, crossing, options, at_once);
 }
-
-namespace {
-
-Bound prove_by_search(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                      OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
-    CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
-    options.limits.expansions = std::min(options.limits.expansions, expansions);
-    options.expected = std::max(costliest_path(task, proven, opening_times), expected);
-    const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
-    if (opening_times.matter()) {
-        options.limits.expansions = std::min(options.limits.expansions, tuning::proof_in_time);
-        CrossingResult found = find_path(task, crossing, options, opening_times);
-        const bool cut = found.status == SearchStatus::limit_reached;
-        const bool own_budget = cut && found.expanded >= tuning::proof_in_time;
-        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
-                std::move(found.best.crossed), cut && !own_budget};
-    }
-    if (task.rules.objective != Objective::flowtime) {
-        CrossingResult found = find_path(task, crossing, options, opening_times);
-        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
-                std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
-    }
-    // The flight past the obstacles of a set counts as well.
-    Bound best{infinity, {}};
-    const int most_tried = opening_times.are_at_once() ? 1 : most_sets(task);  // the proof in time knows more
-    int tried = 0;
-    const CrossingResult rest = enumerate_paths(task, crossing, options, opening_times, [&](const CrossingPath& path) {
-        const double useless = std::min(best.objective, task.worth(reached));
-        if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
-        ++tried;
-        const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-        const double objective = least(path.cost, least_return(task, removed));
-        if (objective < best.objective) best = {objective, path.crossed};
-        return true;
-    });
-    best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
-    best.limited = rest.status == SearchStatus::limit_reached;
-    return best;
-}
-
-}  // namespace
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
     OpeningTimes opening_times(task);

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "checked_plan.hpp"
 #include "random_map.hpp"
 #include "vehicle.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
+#include "waybreaker/revise.hpp"
 #include "waybreaker/state.hpp"
 
 namespace waybreaker {
@@ -136,6 +138,33 @@ inline void report_any_news(Underway& mission) {
     if (mostly()) {
         const Cell cell{*number(0, mission.map.width() - 1), *number(0, mission.map.height() - 1)};
         state.found.push_back({{cell}, true, *rc::gen::arbitrary<bool>()});
+    }
+}
+
+// What is wrong with a revision, a line each.
+inline std::string revision_faults(const Underway& old, const Revision& next) {
+    std::string faults = plan_faults(next.map, next.mission, next.plan);
+    for (const Violation& violation : check_continuity(old.mission, old.plan, old.state, next.mission, next.plan))
+        faults += line_of(violation) + "\n";
+    return faults;
+}
+
+// Revises a mission again and again as news comes: whatever is planned must be valid.
+inline void expect_valid_after_any_news(Underway old) {
+    Planner planner;
+    for (int round = 1; round <= 3; ++round) {
+        old.state.sequence = std::uint64_t(round);
+        report_any_news(old);
+        const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, *rc::gen::element(0.0, 1.0));
+        RC_CLASSIFY(next.status == RevisionStatus::revised);
+        RC_CLASSIFY(next.status == RevisionStatus::kept);
+        RC_CLASSIFY(next.status == RevisionStatus::broken);
+        RC_CLASSIFY(next.status == RevisionStatus::no_plan);
+        if (next.plan.status != PlanStatus::solved) return;
+        RC_ASSERT(revision_faults(old, next) == "");
+        const double since = old.state.now;
+        old = {next.map, next.mission, next.plan, {}};
+        old.state.now = since + *number(0, 6);
     }
 }
 

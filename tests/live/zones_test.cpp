@@ -15,13 +15,6 @@
 namespace waybreaker {
 namespace {
 
-std::string zoned_faults(const Underway& old, const Revision& next) {
-    std::string faults = plan_faults(next.map, next.mission, next.plan);
-    for (const Violation& violation : check_continuity(old.mission, old.plan, old.state, next.mission, next.plan))
-        faults += line_of(violation) + "\n";
-    return faults;
-}
-
 RC_GTEST_PROP(ReviseInZones, WithoutNewsIsNoWorse, ()) {
     const Underway old = any_underway(14, true);
     Planner planner;
@@ -29,7 +22,7 @@ RC_GTEST_PROP(ReviseInZones, WithoutNewsIsNoWorse, ()) {
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, reaction);
     RC_CLASSIFY(next.status == RevisionStatus::kept);
     RC_ASSERT(next.plan.status == PlanStatus::solved);
-    RC_ASSERT(zoned_faults(old, next) == "");
+    RC_ASSERT(revision_faults(old, next) == "");
     if (old.mission.rules.objective == Objective::flowtime) return;
     const auto reached = [&](const Plan& plan) { return *value(plan.after, old.mission.rules.objective); };
     // Aircraft that are home already may fly again, so they count as home no earlier than that.
@@ -66,7 +59,7 @@ RC_GTEST_PROP(ReviseInZones, AfterAnyNewsTheRestIsValid, ()) {
         RC_CLASSIFY(next->status == RevisionStatus::revised);
         RC_CLASSIFY(next->status == RevisionStatus::broken);
         if (next->plan.status != PlanStatus::solved) return;
-        RC_ASSERT(zoned_faults(old, *next) == "");
+        RC_ASSERT(revision_faults(old, *next) == "");
         const double since = old.state.now;
         old = {next->map, next->mission, next->plan, {}};
         old.state.now = since + *number(0, 6);
@@ -106,7 +99,7 @@ TEST(ReviseInZones, AnAircraftFoundInAZoneFliesStraightOut) {
     Planner planner;
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
     ASSERT_EQ(next.status, RevisionStatus::revised);
-    EXPECT_EQ(zoned_faults(old, next), "");
+    EXPECT_EQ(revision_faults(old, next), "");
     const std::vector<Waypoint>& path = aircraft_of(next.plan).path;
     EXPECT_EQ(path[0], Waypoint(3.75, 3, 1));
     EXPECT_EQ(path[1], Waypoint(3, 3, 1.75));
@@ -121,7 +114,7 @@ TEST(ReviseInZones, AnAircraftFoundInAZoneFliesStraightOut) {
     Underway later{next.map, next.mission, next.plan, {.sequence = 2, .now = 1.5}};
     const Revision again = revise(planner, later.map, later.mission, later.plan, later.state);
     ASSERT_EQ(again.plan.status, PlanStatus::solved);
-    EXPECT_EQ(zoned_faults(later, again), "");
+    EXPECT_EQ(revision_faults(later, again), "");
     EXPECT_EQ(aircraft_of(again.plan).path[1], Waypoint(3, 3, 1.75));
 }
 
@@ -135,7 +128,7 @@ TEST(ReviseInZones, AnAircraftOffItsPathFliesRoundOnItsWayBack) {
     Planner planner;
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, 2);
     ASSERT_EQ(next.plan.status, PlanStatus::solved);
-    EXPECT_EQ(zoned_faults(old, next), "");
+    EXPECT_EQ(revision_faults(old, next), "");
     const std::vector<Waypoint>& path = aircraft_of(next.plan).path;
     EXPECT_NEAR(path[1].x, 2.5 + 1 / std::sqrt(6.5), 1e-9);
     EXPECT_NEAR(path[1].y, 1.5 + 5 / std::sqrt(6.5), 1e-9);
@@ -178,7 +171,7 @@ TEST(ReviseInZones, AZoneForgetsWhoIsLost) {
     Planner planner;
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
     ASSERT_EQ(next.plan.status, PlanStatus::solved);
-    EXPECT_EQ(zoned_faults(old, next), "");
+    EXPECT_EQ(revision_faults(old, next), "");
     ASSERT_EQ(next.mission.rules.zones.size(), 1U);
     EXPECT_EQ(next.mission.rules.zones.front().agents, std::vector<std::string>{"second"});
 

@@ -1,4 +1,5 @@
 // A service whose answers the test gives, and what it is asked.
+import { vi } from "vitest";
 import { type CheckReport, type Progress, ServiceError } from "../../src/api/client";
 import type { PlanRequest } from "../../src/api/documents";
 import { freshMission } from "../../src/domain/mission";
@@ -60,3 +61,11 @@ export const question = (x: number, more: Partial<Question> = {}): Question => (
   withBefore: false,
   ...more,
 });
+
+// Where the first agent starts, of a request and of what was asked.
+export const startIn = (request: { mission: PlanRequest["mission"] } | null) => request?.mission.agents[0]!.start;
+export const startOf = (asked: Asked) => startIn(asked.request)?.[0];
+
+// Of a planner in tests, with fake timers.
+export const pace = { calm: 150, patience: 500, fluent: 20, slow: 80 };
+export const settle = () => vi.advanceTimersByTimeAsync(0);

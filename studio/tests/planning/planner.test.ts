@@ -1,14 +1,8 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { ServiceError } from "../../src/api/client";
-import type { PlanRequest } from "../../src/api/documents";
 import { Planner } from "../../src/planning/planner";
 import { planOf } from "../domain/plans";
-import { type Asked, FakeService, question } from "./fake_service";
-
-const startIn = (request: { mission: PlanRequest["mission"] } | null) => request?.mission.agents[0]!.start;
-const startOf = (asked: Asked) => startIn(asked.request)?.[0];
-const settle = () => vi.advanceTimersByTimeAsync(0);
-const pace = { calm: 150, patience: 500, fluent: 20, slow: 80 };
+import { FakeService, pace, question, settle, startIn, startOf } from "./fake_service";
 
 let service: FakeService;
 let planner: Planner;
