@@ -32,6 +32,18 @@ inline void add_river(std::vector<std::uint32_t>& labels, int width, int height)
     }
 }
 
+inline std::vector<Cell> free_cells(const Map& map) {
+    std::vector<Cell> free;
+    for (Cell c; c.y < map.height(); ++c.y) {
+        for (c.x = 0; c.x < map.width(); ++c.x) {
+            if (!map.grid().blocked(c)) free.push_back(c);
+        }
+    }
+    return free;
+}
+
+inline Cell one_of(const std::vector<Cell>& cells) { return cells[std::size_t(*number(0, int(cells.size()) - 1))]; }
+
 inline World any_world() {
     const int width = *number(2, 8);
     const int height = *number(2, 6);
@@ -41,16 +53,10 @@ inline World any_world() {
     std::vector<ObstacleAttributes> attributes(river + 1);
     attributes[river].destructible = false;
     Map map = Map::from_labels(width, height, labels, attributes);
-    std::vector<Cell> free;
-    for (Cell c; c.y < height; ++c.y) {
-        for (c.x = 0; c.x < width; ++c.x) {
-            if (!map.grid().blocked(c)) free.push_back(c);
-        }
-    }
+    const std::vector<Cell> free = free_cells(map);
     RC_PRE(!free.empty());
-    const auto any_free = [&] { return free[std::size_t(*number(0, int(free.size()) - 1))]; };
-    const Cell start = any_free();  // drawn in this order by every compiler
-    const Cell goal = any_free();
+    const Cell start = one_of(free);  // drawn in this order by every compiler
+    const Cell goal = one_of(free);
     World world{std::move(map), ground_and_air(start, goal)};
     Agent& air = world.mission.agents[1];
     if (*rc::gen::arbitrary<bool>()) air.start = {*number(0, width - 1), *number(0, height - 1)};
