@@ -42,7 +42,9 @@ inline std::vector<Cell> free_cells(const Map& map) {
     return free;
 }
 
-inline Cell one_of(const std::vector<Cell>& cells) { return cells[std::size_t(*number(0, int(cells.size()) - 1))]; }
+inline Cell one_of(const std::vector<Cell>& cells) {
+    return cells[std::size_t(*number(0, int(cells.size()) - 1))];
+}
 
 inline World any_world() {
     const int width = *number(2, 8);
