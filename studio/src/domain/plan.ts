@@ -29,6 +29,7 @@ export interface RequestOptions extends Omit<PlanOptions, "protect" | "select" |
   select?: string;
   planner?: string;
   minimise_demolition?: number;
+  gap?: number; // ends the search as soon as the plan is proven to be that good
   protect?: (number | string)[];
 }
 

@@ -18,6 +18,7 @@ import {
   hasDraft,
   isCut,
   isHasty,
+  keptBeforeRequest,
   keptRequest,
   keyOf,
   paperRequest,
@@ -207,19 +208,19 @@ export class PlanFetcher {
     const known = this.#known(question);
     const removals = question.removals === "auto" ? (shown?.plan.removed.length ?? 1) : question.removals;
     const asked = removed ? keptRequest(question, removed) : draftRequest(question, removals);
-    const askedBefore = removed ? beforeRequest(question) : draftBeforeRequest(question);
+    const askedBefore = removed ? keptBeforeRequest(question) : draftBeforeRequest(question);
     const [made, before] = await Promise.all([
       (isAuto && known) || this.service.plan(question.map, asked, stop),
       kept || !question.withBefore ? null : this.service.plan(question.map, askedBefore, stop),
       removed && !isAuto && this.#chase.follow(question),
     ]);
-    const rough = removed && made !== known ? { ...made, bound: null } : made; // proven of what is kept alone
+    const rough = removed && made !== known ? { ...made, bound: null } : made; // of what is kept alone
     if (stop.aborted) throw stopped();
     const plan = isAuto ? rough : this.#orKnown(question, rough);
     if (plan.agents.length === 0) return false;
     if (known) this.#kept = { key: keyOf.front(question), plan: known };
     const draft = (made: Plan): Judged => ({ plan: made, verdict: null, rough: "draft" });
-    const beside = before ? (removed ? { plan: before, verdict: null } : draft(before)) : kept;
+    const beside = before ? draft(before) : kept;
     this.results.answer(question, { after: draft(plan), ...(beside && { before: beside }) });
     return true;
   }

@@ -117,9 +117,18 @@ export function draftRequest(question: Question, removals: number): PlanRequest 
   return request(question, "draft", { removals });
 }
 
-// The plan that keeps what another removes: a fraction of the work, for there is nothing to choose.
+// What a draft says is not proven: to be within 100 % of the best does.
+const unproven: RequestOptions = { gap: 1 };
+
+// The plan that keeps what another removes: a fraction of the work, for there is nothing to choose, and nothing to prove.
 export function keptRequest(question: Question, removed: readonly number[]): PlanRequest {
-  return request(question, "exact", { removals: removed.length, force: [...removed], time_limit: quick });
+  return request(question, "exact", { removals: removed.length, force: [...removed], time_limit: quick, ...unproven });
+}
+
+// The way without removals that goes with it.
+export function keptBeforeRequest(question: Question): PlanRequest {
+  const { mission, options } = beforeRequest(question);
+  return { mission, options: { ...options, ...unproven } };
 }
 
 // Whether that does for a draft.

@@ -31,12 +31,26 @@ describe("where plans take a moment", () => {
   it("a draft follows the mouse that keeps what was removed", async () => {
     for (const x of [2, 3]) {
       planner.ask(question(x));
-      expect(service.last().request?.options).toMatchObject({ select: "exact", force: [4], removals: 1 });
+      expect(service.last().request?.options).toMatchObject({ select: "exact", force: [4], removals: 1, gap: 1 });
       service.last().answer({ ...planOf({ removed: [4], after: 95 }), bound: { makespan: 95, gap: 0 } });
       await settle();
       expect(shown()).toMatchObject({ plan: { after: { makespan: 95 }, bound: null }, rough: "draft" });
       expect(startIn(planner.results.answered.value)).toEqual([x, 0]);
     }
+  });
+
+  it("so is the way without removals, until the mouse rests", async () => {
+    planner.ask(question(2, { withBefore: true }));
+    const [after, before] = service.asked.slice(-2);
+    expect(before!.request?.options).toMatchObject({ select: "exact", removals: 0, gap: 1 });
+    after!.answer(planOf({ removed: [4], after: 95 }));
+    before!.answer(planOf({ after: 120 }));
+    await settle();
+    expect(planner.results.plans.value.before?.rough).toBe("draft");
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    const options = service.asked.slice(-2).map((asked) => asked.request?.options);
+    expect(options.map((asked) => asked?.removals).sort()).toEqual([0, 2]);
+    for (const asked of options) expect(asked).not.toHaveProperty("gap");
   });
 
   // A drag from one place to another, of so many steps.
