@@ -23,13 +23,16 @@ export interface Aircraft {
   goal: Cell | null;
   speed: number;
   breaches: number | null; // how many obstacles it may breach; null: any number
+  range: number | null; // metres or cells from take-off to landing; null: any
+  endurance: number | null; // the same as a time
+  reserve: number; // the share of both that is not planned with
 }
 
 export type MissionAgent = Vehicle | Aircraft;
 export type Agents = readonly MissionAgent[]; // at least one is a vehicle
 
 export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0 };
-export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null };
+export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null, range: null, endurance: null, reserve: 0 };
 
 // One robot and one aircraft, which starts and ends with it.
 export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Agents {
@@ -57,6 +60,15 @@ export function opensOwnWay(agents: Agents): boolean {
 // Whether anybody may open the way: without them nothing is removed.
 export function canOpen(agents: Agents): boolean {
   return aircraftOf(agents).length > 0 || opensOwnWay(agents);
+}
+
+// Whether its battery ends.
+export function isLimited({ range, endurance }: Pick<Aircraft, "range" | "endurance">): boolean {
+  return range !== null || endurance !== null;
+}
+
+export function limitsFlights(agents: Agents): boolean {
+  return aircraftOf(agents).some(isLimited);
 }
 
 // Whether aircraft open the way for one vehicle: then nobody gets in anybody's way, and plans are fast.

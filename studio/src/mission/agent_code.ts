@@ -19,6 +19,7 @@ export interface AgentCodes {
 
 const between = "~"; // agents; commas stand between what is said of one
 const mostAgents = 10_000;
+const mostReserve = 0.9999; // a share
 
 export function encodeAgents(agents: Agents): AgentCodes {
   const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches }, i) => {
@@ -26,9 +27,10 @@ export function encodeAgents(agents: Agents): AgentCodes {
     const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches];
     return fields([...start, ...goal, speed, radius, readyAt, id, breaches], usual);
   });
-  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id }, i) => {
-    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i)];
-    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id], usual);
+  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, range, endurance, reserve }, i) => {
+    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve];
+    const battery = [range ?? "", endurance ?? "", reserve];
+    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery], usual);
   });
   return { vehicles: vehicles.join(between), aircraft: aircraft.join(between) };
 }
@@ -72,8 +74,11 @@ function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null 
   const isWrong = (cell: Cell | null, from: number) => !cell && Boolean(texts[from] || texts[from + 1]);
   const speed = numberOf(texts[4], usualAircraft.speed, 1e-3, 1e4);
   const breaches = texts[5] ? wholeOf(texts[5]) : usualAircraft.breaches;
+  const [range, endurance] = [limitOf(texts[7]), limitOf(texts[8])];
+  const reserve = numberOf(texts[9], usualAircraft.reserve, 0, mostReserve);
   if (isWrong(start, 0) || isWrong(goal, 2) || speed === null || breaches === undefined) return null;
-  return { kind: "air", id: idOf(texts[6], usualId("air", index)), start, goal, speed, breaches };
+  if (range === undefined || endurance === undefined || reserve === null) return null;
+  return { kind: "air", id: idOf(texts[6], usualId("air", index)), start, goal, speed, breaches, range, endurance, reserve };
 }
 
 function cellOf(texts: string[], from: number, map: Size): Cell | null {
@@ -89,6 +94,11 @@ function numberOf(text: string | undefined, usual: number, least: number, most: 
   if (!text) return usual;
   const value = Number(text);
   return value >= least && value <= most ? value : null;
+}
+
+// Of a battery: null where there is none, undefined where the text is no limit.
+function limitOf(text: string | undefined): number | null | undefined {
+  return text ? (numberOf(text, 0, 1e-3, 1e9) ?? undefined) : null;
 }
 
 function idOf(text: string | undefined, usual: string): string {

@@ -1,5 +1,5 @@
 // A mission as the query of an address, and back. Defaults are left out.
-import { type Agents, changed, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
+import { type Agents, changed, isLimited, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
 import { alsoText, parseAlso } from "../domain/also";
 import type { Cell, Run } from "../domain/geometry";
 import {
@@ -84,7 +84,8 @@ export function agentsInQuery(agents: Agents, usualRadius: number | null = usual
 
 function isPlain({ ground, air }: NonNullable<ReturnType<typeof ofPair>>): boolean {
   const areUnnamed = ground.id === ground.kind && air.id === air.kind;
-  return areUnnamed && ground.readyAt === usualVehicle.readyAt && air.breaches === usualAircraft.breaches;
+  const flies = air.breaches === usualAircraft.breaches && !isLimited(air) && air.reserve === usualAircraft.reserve;
+  return areUnnamed && ground.readyAt === usualVehicle.readyAt && flies;
 }
 
 export interface Decoded {

@@ -180,7 +180,7 @@ export function leftOut(
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(agents.some(({ weight = 1 }) => weight !== 1) ? ["weights of agents"] : []),
     ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
-    ...(["range", "endurance", "reserve"] as const).filter((name) => says(name, "air")).map((name) => `${name} of aircraft`),
+    ...(["range", "endurance", "reserve"] as const).filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

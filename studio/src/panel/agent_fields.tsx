@@ -2,6 +2,7 @@
 import { useId } from "preact/hooks";
 import { type Agents, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
+import { Battery } from "./battery";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
 import { VehicleSize } from "./vehicle_size";
@@ -40,7 +41,10 @@ export function AgentFields({ studio, agents, index }: Props) {
           />
         </>
       ) : (
-        <OpensAtMost studio={studio} agents={agents} index={index} />
+        <>
+          <OpensAtMost studio={studio} agents={agents} index={index} />
+          <Battery studio={studio} index={index} />
+        </>
       )}
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (

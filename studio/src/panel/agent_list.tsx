@@ -3,6 +3,7 @@ import { Fragment } from "preact";
 import type { Agents, MissionAgent } from "../domain/agents";
 import { objectiveOf, type Plan } from "../domain/plan";
 import { clockTime, type Units } from "../domain/units";
+import { landing } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { aloneArrival, gainOf } from "../mission/team_words";
@@ -131,11 +132,15 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
   const at = arrival(agent);
   const time = (value: number) => <data value={value}>{clockTime(value, units)}</data>;
   if (agent.kind === "air") {
+    const lands = landing(plan, agent, units);
     const opens = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
     return (
       <>
         <td>{agent.lost ? "lost" : time(at)}</td>
-        <td colSpan={2}>{opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}</td>
+        <td colSpan={2}>
+          {opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}
+          {lands && <small class="agent-gain">{lands}</small>}
+        </td>
       </>
     );
   }

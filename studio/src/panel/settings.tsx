@@ -4,6 +4,7 @@ import { type Aircraft, ofPair, type Vehicle, vehiclesOf } from "../domain/agent
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
 import { LeavesNotBefore, OpensAtMost } from "./agent_fields";
+import { Battery } from "./battery";
 import { Segmented } from "./controls";
 import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
@@ -77,6 +78,7 @@ export function Settings({ studio }: { studio: Studio }) {
         )}
         {two && <LeavesNotBefore label="Robot leaves not before" {...fieldsOf(two.ground)} />}
         {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
+        {two && <Battery studio={studio} index={mission.agents.indexOf(two.air)} title="Aircraft’s battery" />}
         {vehiclesOf(mission.agents).length > 1 && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />
       </div>

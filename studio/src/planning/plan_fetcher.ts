@@ -16,6 +16,7 @@ import {
   explainRequest,
   furtherLimits,
   hasDraft,
+  hasReasons,
   isCut,
   isHasty,
   keptRequest,
@@ -270,10 +271,10 @@ export class PlanFetcher {
     return plan;
   }
 
-  // The plan again with what each removal saves.
+  // The plan again with what each removal saves, and what is out of range.
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after;
-    if (!shown || shown.plan.removed.length === 0) return;
+    if (!shown || !hasReasons(question, shown.plan)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
     const plan = await this.service.plan(question.map, explainRequest(question, removals), stop);
     if (!isAsGood(plan, shown.plan)) return;

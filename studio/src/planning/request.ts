@@ -1,7 +1,7 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
-import { canOpen, drivesAlone, hasPaperMethod } from "../domain/agents";
+import { canOpen, drivesAlone, hasPaperMethod, limitsFlights } from "../domain/agents";
 import { alsoNames } from "../domain/also";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
@@ -122,9 +122,9 @@ export function keptRequest(question: Question, removed: readonly number[]): Pla
   return request(question, "exact", { removals: removed.length, force: [...removed], time_limit: quick });
 }
 
-// Whether that does for a draft.
+// Whether that does for a draft. What an aircraft can fly to depends on where it starts.
 export function canKeep({ method, of }: Question): boolean {
-  return method === "exact" && drivesAlone(of.agents);
+  return method === "exact" && drivesAlone(of.agents) && !limitsFlights(of.agents);
 }
 
 export function draftBeforeRequest(question: Question): PlanRequest {
@@ -132,7 +132,12 @@ export function draftBeforeRequest(question: Question): PlanRequest {
   return request({ ...question, options }, "draft", { removals: 0 });
 }
 
-// With what the mission would lose without each removal.
+// Whether there is anything to explain: what is removed, or what is not because it is too far.
+export function hasReasons({ of, removals }: Question, plan: Plan): boolean {
+  return plan.removed.length > 0 || (limitsFlights(of.agents) && removals !== "auto" && removals > 0);
+}
+
+// With what the mission would lose without each removal, and what no aircraft can fly to.
 export function explainRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, explain: true });
 }

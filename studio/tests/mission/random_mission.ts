@@ -17,6 +17,8 @@ function randomRuns(random: Random): Run[] {
   return union(runs, []);
 }
 
+const noBattery = { range: null, endurance: null, reserve: 0 };
+
 function randomAgents(random: Random, cell: () => Cell): Agents {
   const isPair = random.chance(0.5);
   const named = (usual: string) => (random.chance(0.3) ? random.oneOf([`${usual},~%é& `, "truck " + usual]) : usual);
@@ -38,6 +40,7 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     goal: random.chance(0.5) ? cell() : null,
     speed: random.oneOf([1, 10, 1 / 3]),
     breaches: random.oneOf([null, 0, 3]),
+    ...random.oneOf([noBattery, noBattery, { ...noBattery, range: 900.5 }, { range: 1e4, endurance: 90, reserve: 0.2 }]),
   }));
   const agents = [...vehicles, ...aircraft];
   return agents.length === 1 ? changed(agents, 0, { breaches: random.below(4) }) : agents;
