@@ -64,6 +64,6 @@ function batteryWords({ range, endurance, reserve }: Aircraft, units: Units): st
     ...(range === null ? [] : [length(range / units.cell, units)]),
     ...(endurance === null ? [] : [duration(endurance / units.seconds, units)]),
   ];
-  if (limits.length === 0) return "has no end";
+  if (limits.length === 0) return "no limit";
   return reserve > 0 ? `${limits.join(", ")}, ${percent(reserve)} in reserve` : limits.join(", ");
 }
