@@ -23,7 +23,7 @@ export interface AgentDocument {
   ready_at?: number;
   approach?: readonly (readonly [number, number, number])[];
   breaches?: number;
-  weight?: number; // the page has none
+  weight?: number;
   range?: number; // cells
   endurance?: number;
   reserve?: number;
@@ -34,7 +34,8 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
   return agents.map((agent) => {
     const { id, kind } = agent;
     const [start, goal] = [placeOf(agents, agent, "start"), placeOf(agents, agent, "goal")];
-    const common = { id, kind, start, goal, speed: agent.speed / cell };
+    const weight = agent.weight !== 1 && { weight: agent.weight };
+    const common = { id, kind, start, goal, speed: agent.speed / cell, ...weight };
     if (agent.kind === "air") {
       return { ...common, ...(agent.breaches !== null && { breaches: agent.breaches }), ...batteryOf(agent, cell) };
     }
@@ -67,12 +68,12 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
   const first = documents.find((agent) => agent.kind === "ground");
   const isApart = (place: Cell, other: Cell | undefined) => place.join() !== other?.join();
   const agents = documents.map((agent): MissionAgent => {
-    const { id, kind, start, goal } = agent;
+    const { id, kind, start, goal, weight = 1 } = agent;
     const speed = speedOf(agent, scale);
     if (kind === "ground") {
       const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
       const breaches = documents.length === 1 ? (agent.breaches ?? usualVehicle.breaches) : usualVehicle.breaches;
-      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches };
+      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches, weight };
     }
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
     const { breaches = usualAircraft.breaches, range, endurance, reserve = usualAircraft.reserve } = agent;
@@ -80,7 +81,7 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
       range: range === undefined ? usualAircraft.range : scaled(range, scale.cell),
       endurance: endurance === undefined ? usualAircraft.endurance : scaled(endurance, scale.seconds),
     };
-    return { kind, id, ...places, speed, breaches, ...limits, reserve };
+    return { kind, id, ...places, speed, breaches, ...limits, reserve, weight };
   });
   return vehiclesFirst(agents);
 }

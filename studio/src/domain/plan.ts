@@ -102,6 +102,7 @@ export interface Agent {
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   surface?: Surface; // of a vehicle, where the map knows its ways
+  reached?: false; // of a vehicle that stays at its start, for it would not arrive in time
   lost?: boolean; // in a rehearsal: where its path ends
   path: TimedPoint[]; // two points in a row at the same place are a wait
 }

@@ -20,17 +20,18 @@ export interface AgentCodes {
 const between = "~"; // agents; commas stand between what is said of one
 const mostAgents = 10_000;
 const mostReserve = 0.9999; // a share
+const mostWeight = 1e9;
 
 export function encodeAgents(agents: Agents): AgentCodes {
-  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches }, i) => {
+  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches, weight }, i) => {
     const { speed: usualSpeed, radius: usualRadius, readyAt: usualReady, breaches: usualBreaches } = usualVehicle;
-    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches];
-    return fields([...start, ...goal, speed, radius, readyAt, id, breaches], usual);
+    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches, 1];
+    return fields([...start, ...goal, speed, radius, readyAt, id, breaches, weight], usual);
   });
-  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, range, endurance, reserve }, i) => {
-    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve];
+  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, range, endurance, reserve, weight }, i) => {
+    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve, 1];
     const battery = [range ?? "", endurance ?? "", reserve];
-    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery], usual);
+    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery, weight], usual);
   });
   return { vehicles: vehicles.join(between), aircraft: aircraft.join(between) };
 }
@@ -65,8 +66,9 @@ function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
   const radius = numberOf(texts[5], usualVehicle.radius, 0, 32);
   const readyAt = numberOf(texts[6], usualVehicle.readyAt, 0, 1e6);
   const breaches = texts[8] ? wholeOf(texts[8]) : usualVehicle.breaches;
-  if (!start || !goal || speed === null || radius === null || readyAt === null || breaches === undefined) return null;
-  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt, breaches };
+  const weight = numberOf(texts[9], 1, 0, mostWeight);
+  if (!start || !goal || speed === null || radius === null || readyAt === null || breaches === undefined || weight === null) return null;
+  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt, breaches, weight };
 }
 
 function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {
@@ -77,8 +79,10 @@ function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null 
   const [range, endurance] = [limitOf(texts[7]), limitOf(texts[8])];
   const reserve = numberOf(texts[9], usualAircraft.reserve, 0, mostReserve);
   if (isWrong(start, 0) || isWrong(goal, 2) || speed === null || breaches === undefined) return null;
-  if (range === undefined || endurance === undefined || reserve === null) return null;
-  return { kind: "air", id: idOf(texts[6], usualId("air", index)), start, goal, speed, breaches, range, endurance, reserve };
+  const weight = numberOf(texts[10], 1, 0, mostWeight);
+  if (range === undefined || endurance === undefined || reserve === null || weight === null) return null;
+  const id = idOf(texts[6], usualId("air", index));
+  return { kind: "air", id, start, goal, speed, breaches, range, endurance, reserve, weight };
 }
 
 function cellOf(texts: string[], from: number, map: Size): Cell | null {

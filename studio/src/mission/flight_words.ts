@@ -14,7 +14,8 @@ function batteryIn({ mission }: Plan, id: string): Partial<AgentDocument> {
 export function landing(plan: Plan, agent: Agent, units: Units): string | null {
   const { range, endurance, reserve = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
   const flown = arrival(agent) - readyAt;
-  const left = (all: number, gone: number, text: typeof length) => `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
+  const left = (all: number, gone: number, text: typeof length) =>
+    `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
   const parts = [
     ...(range === undefined ? [] : [left(range, flown * agent.speed, length)]),
     ...(endurance === undefined ? [] : [left(endurance, flown, duration)]),
@@ -39,7 +40,8 @@ export function tooFar(plan: Plan, units: Units): TooFar[] {
     const byRange = range / agent.speed <= endurance;
     const [size, longest] = [byRange ? agent.speed : 1, obstacles[0]!.longest];
     const limit = { id, byRange, longest: longest * size, reserve };
-    return [{ can: can(limit, units), obstacles: obstacles.map((one) => ({ id: one.obstacle, needs: needs(limit, one.flight * size, units) })) }];
+    const told = obstacles.map((one) => ({ id: one.obstacle, needs: needs(limit, one.flight * size, units) }));
+    return [{ can: can(limit, units), obstacles: told }];
   });
 }
 

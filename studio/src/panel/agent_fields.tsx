@@ -46,6 +46,15 @@ export function AgentFields({ studio, agents, index }: Props) {
           <Battery studio={studio} index={index} />
         </>
       )}
+      <NumberField
+        label="Weight in the sum"
+        unit=""
+        min={0}
+        max={1_000_000_000}
+        value={agent.weight}
+        onInput={(weight) => studio.editor.changeAgent(index, { weight }, `weight ${index}`)}
+        onDone={() => studio.editor.endGesture()}
+      />
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (
           <button type="button" class="button" onClick={() => studio.editor.bringAircraftBack(index)}>

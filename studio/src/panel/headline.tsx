@@ -4,6 +4,7 @@ import { isTeam } from "../domain/plan";
 import { refusalWords } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
+import { reachWords } from "../mission/place_words";
 import { surfaceWords } from "../mission/surface_words";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
@@ -49,13 +50,15 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
   const closed = page.results.plans.value.before?.plan ?? null;
   const isLooking = after.rough !== undefined;
   const isFound = isLooking && page.results.progress.value?.best != null;
-  const telling = { units, buildings, isLooking, isFound };
+  const objectiveUnits = page.objectiveUnits.value;
+  const telling = { units: objectiveUnits, buildings, isLooking, isFound };
   const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
-  const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
+  const reach = page.reach.value;
+  const who = reach ? reachWords(reach) : team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const surface = surfaceWords(after.plan, units);
-  const figures = words.figures ? figureTexts(words.figures, units) : [];
+  const figures = words.figures ? figureTexts(words.figures, objectiveUnits) : [];
   const asked = studio ? null : askedRules(after.plan); // there the choices are listed
-  const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
+  const told = words.figures ? `${words.title}: ${figuresText(words.figures, objectiveUnits)}.` : words.title;
   const spoken = [told, words.note, who, surface, ...flightTexts(page, after.plan)].filter((part) => part).join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value || isLooking}>

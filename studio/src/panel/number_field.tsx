@@ -11,6 +11,7 @@ interface NumberFieldProps {
   max: number;
   onInput: (value: number) => void;
   onClear?: () => void; // where it may be left empty
+  empty?: string; // what that stands for
   onDone?: () => void;
 }
 
@@ -20,7 +21,7 @@ interface Typed {
 }
 
 // What cannot be taken stands, with what is said of it, until it is mended or the value changes otherwise.
-export function NumberField({ label, unit, value, min, max, onInput, onClear, onDone = () => undefined }: NumberFieldProps) {
+export function NumberField({ label, unit, value, min, max, onInput, onClear, empty = "any", onDone = () => undefined }: NumberFieldProps) {
   const id = useId();
   const [typed, setTyped] = useState<Typed | null>(null);
   const taken = (text: string): number | null => {
@@ -42,7 +43,7 @@ export function NumberField({ label, unit, value, min, max, onInput, onClear, on
           inputMode={min < 0 ? "text" : "decimal"} // a phone's keys for decimals have no minus
           autocomplete="off"
           value={text}
-          placeholder={onClear && "any"}
+          placeholder={onClear && empty}
           aria-invalid={isWrong}
           aria-describedby={`${id}-unit ${id}-range`}
           onInput={(event) => {
@@ -63,7 +64,7 @@ export function NumberField({ label, unit, value, min, max, onInput, onClear, on
         </span>
       </span>
       <span id={`${id}-range`} class="range-note" role="status">
-        {isWrong && `Give ${min} to ${max} ${unit}${onClear ? ", or nothing" : ""}. Until then it stays ${usual || "any"}.`}
+        {isWrong && `Give ${min} to ${max} ${unit}${onClear ? ", or nothing" : ""}. Until then it stays ${usual || empty}.`}
       </span>
     </div>
   );

@@ -291,7 +291,7 @@ export class PlanFetcher {
 
   async #paper(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after?.plan;
-    if (!shown || !hasPaperMethod(question.of.agents)) return;
+    if (!shown || !hasPaperMethod(question.of)) return;
     const removals = question.removals === "auto" ? shown.removed.length : question.removals;
     const paper =
       question.method === "paper"

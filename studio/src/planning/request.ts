@@ -3,7 +3,7 @@ import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
 import { canOpen, drivesAlone, hasPaperMethod, limitsFlights } from "../domain/agents";
 import { alsoNames } from "../domain/also";
-import { marked, type Method, type Mission } from "../domain/mission";
+import { marked, meetingRules, type Method, type Mission, shownPer } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 import { filterText, type TagFilter } from "../domain/tag_filter";
 import type { Units } from "../domain/units";
@@ -48,15 +48,16 @@ export function questionOf(
     map,
     mission: documentOf(mission, units),
     options,
-    method: hasPaperMethod(mission.agents) ? mission.method : "exact",
+    method: hasPaperMethod(mission) ? mission.method : "exact",
     removals: canOpen(mission.agents) || mission.removals !== "auto" ? mission.removals : 0,
-    price: mission.price,
+    price: mission.price * shownPer(mission),
     withBefore: mission.layers.includes("before"),
   };
 }
 
-function documentOf({ agents, separation, atGoal, zones }: Mission, units: Units): PlanRequest["mission"] {
-  const rules = { separation, at_goal: atGoal, ...(zones.length > 0 && { zones: zoneCollection(zones) }) };
+function documentOf(mission: Mission, units: Units): PlanRequest["mission"] {
+  const { agents, zones } = mission;
+  const rules = { ...meetingRules(mission), ...(zones.length > 0 && { zones: zoneCollection(zones) }) };
   const unit = units.metric ? { time_unit: "s" as const } : {};
   return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
 }
@@ -81,7 +82,7 @@ function request(question: Question, method: Method | "draft", options: RequestO
   const how: Record<typeof method, RequestOptions> = {
     exact: { select: "exact" },
     paper: { paper: true },
-    draft: drivesAlone(question.of.agents) ? { ...byHits, ...hurried } : teamDraft,
+    draft: drivesAlone(question.of) ? { ...byHits, ...hurried } : teamDraft,
   };
   return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
@@ -124,7 +125,7 @@ export function keptRequest(question: Question, removed: readonly number[]): Pla
 
 // Whether that does for a draft. What an aircraft can fly to depends on where it starts.
 export function canKeep({ method, of }: Question): boolean {
-  return method === "exact" && drivesAlone(of.agents) && !limitsFlights(of.agents);
+  return method === "exact" && drivesAlone(of) && !limitsFlights(of.agents);
 }
 
 export function draftBeforeRequest(question: Question): PlanRequest {
@@ -148,7 +149,7 @@ export function stepRequest(question: Question, removals: number): PlanRequest {
 }
 
 function stepLimit(question: Question): number {
-  return drivesAlone(question.of.agents) ? patient : quick;
+  return drivesAlone(question.of) ? patient : quick;
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.

@@ -199,6 +199,7 @@ export function whyNotRehearsed({ options, mission }: Plan): string | null {
   if (agents.some(({ range, endurance }) => range !== undefined || endurance !== undefined)) {
     return "Missions of aircraft whose battery ends cannot be rehearsed yet. To rehearse this one, leave range and endurance empty.";
   }
+  if (mission?.rules?.collisions === false) return "Missions whose vehicles pass through each other cannot be rehearsed.";
   return null;
 }
 

@@ -171,6 +171,8 @@ it("is of plans that can be revised", () => {
   const limited = { ...yard(), mission: { agents: [{ id: "ground" }, { id: "air", endurance: 900 }] } };
   expect(isRehearsable(limited)).toBe(false);
   expect(whyNotRehearsed(limited)).toContain("battery ends cannot be rehearsed yet");
+  const passing = { ...yard(), mission: { agents: [], rules: { collisions: false } } };
+  expect(whyNotRehearsed(passing)).toContain("pass through each other");
 });
 
 it("lets a breach fail that is still to be made", () => {
