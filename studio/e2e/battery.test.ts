@@ -1,4 +1,5 @@
-// An aircraft that has to come home: set by the keyboard, planned as the command does, kept in the link and the file, explained.
+// An aircraft that has to come home: set by the keyboard, planned as by the command, kept in the link and the file,
+// explained.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -98,6 +98,12 @@ it("shows thirty places, on a phone as well", async () => {
   expect(await page.getByText(/Left out/).count()).toBe(0);
   expect(await page.getByRole("table", { name: /^When each agent arrives/ }).locator("tbody tr").count()).toBe(31);
   await expect.poll(() => page.url()).toContain("#z=");
+  await studio.marker("Goal of place 13").focus();
+  const stood = await studio.cellOf("Goal of place 13");
+  for (let i = 0; i < 5; ++i) await page.keyboard.press("Shift+ArrowDown"); // drafts have little time for so many
+  await studio.settled();
+  expect(await studio.cellOf("Goal of place 13")).not.toEqual(stood);
+  await studio.result().getByText(/All 30 places are reached/).first().waitFor();
   await page.getByRole("button", { name: "place 30", exact: true }).click();
   expect(await page.getByLabel("Weight in the sum").inputValue()).toBe("110");
   expect(await studio.cutOff(".panel *")).toEqual([]);

@@ -34,7 +34,7 @@ export interface Mission {
   separation: number; // cells that the vehicles of a team keep between them
   atGoal: AtGoal;
   collisions: boolean; // or vehicles get past each other anywhere
-  unreached: number | null; // when a vehicle that is not there counts as arrived, where they do not collide; null: each must arrive
+  unreached: number | null; // where they do not: as what a vehicle counts that does not arrive; null: each must
   marks: ReadonlyMap<number, Choice>; // by obstacle, or by key of a drawn wall
   protectAll: readonly TagFilter[]; // beside what is marked: all obstacles that any of these means
   walls: readonly Run[]; // drawn
@@ -83,8 +83,8 @@ export function freshMission(map: string, { start, goal, radius }: Ends): Missio
   return { ...defaults, map, agents: pair(start, goal, radius) };
 }
 
-// What values of the objective are divided by where they are shown: the sum of arrivals that count by weights says nothing to
-// anyone, their average does.
+// What values of the objective are divided by where they are shown: the sum of arrivals that count by weights says nothing
+// to anyone, their average does.
 export function shownPer({ agents, objective }: Pick<Mission, "agents" | "objective">): number {
   const isWeighed = objective === "flowtime" && agents.some(({ weight }) => weight !== 1);
   return (isWeighed && agents.reduce((sum, { weight }) => sum + weight, 0)) || 1;

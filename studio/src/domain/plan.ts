@@ -83,8 +83,8 @@ export function isUnknown({ status }: Pick<FrontPoint, "status">): boolean {
   return status === "limit_reached" || status === "stopped" || status === "not_found";
 }
 
-// What is not removed only because no aircraft can fly there and home; how long the one that comes nearest would fly, and how
-// long it may, in units of time.
+// What is not removed only because no aircraft can fly there and home; how long the one that comes nearest would fly, and
+// how long it may, in units of time.
 export interface OutOfRange {
   obstacle: number;
   agent: string;

@@ -28,7 +28,8 @@ export function encodeAgents(agents: Agents): AgentCodes {
     const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches, 1];
     return fields([...start, ...goal, speed, radius, readyAt, id, breaches, weight], usual);
   });
-  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, range, endurance, reserve, weight }, i) => {
+  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, ...agent }, i) => {
+    const { range, endurance, reserve, weight } = agent;
     const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve, 1];
     const battery = [range ?? "", endurance ?? "", reserve];
     return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery, weight], usual);
@@ -67,8 +68,10 @@ function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
   const readyAt = numberOf(texts[6], usualVehicle.readyAt, 0, 1e6);
   const breaches = texts[8] ? wholeOf(texts[8]) : usualVehicle.breaches;
   const weight = numberOf(texts[9], 1, 0, mostWeight);
-  if (!start || !goal || speed === null || radius === null || readyAt === null || breaches === undefined || weight === null) return null;
-  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt, breaches, weight };
+  if (!start || !goal || speed === null || radius === null || readyAt === null) return null;
+  if (breaches === undefined || weight === null) return null;
+  const id = idOf(texts[7], usualId("ground", index));
+  return { kind: "ground", id, start, goal, speed, radius, readyAt, breaches, weight };
 }
 
 function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {

@@ -63,7 +63,8 @@ interface Limit {
 
 function can({ id, byRange, longest, reserve }: Limit, units: Units): string {
   const kept = reserve > 0 ? ` with ${percent(reserve)} in reserve` : "";
-  return `${nameOf({ id, kind: "air" })} can fly ${byRange ? length(longest, units) : `for ${duration(longest, units)}`}${kept}`;
+  const far = byRange ? length(longest, units) : `for ${duration(longest, units)}`;
+  return `${nameOf({ id, kind: "air" })} can fly ${far}${kept}`;
 }
 
 function needs({ byRange, longest }: Limit, flight: number, units: Units, way = "there and back"): string {
@@ -72,8 +73,16 @@ function needs({ byRange, longest }: Limit, flight: number, units: Units, way = 
   return `${way} ${byRange ? "is" : "takes"} ${figure}`;
 }
 
-const refusal =
-  /^(?:obstacle (\d+) must be removed, but )?the (.+) agent can fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?; .+ (?:is|takes) (\S+?)\.?$/i;
+const refusal = new RegExp(
+  [
+    /^(?:obstacle (\d+) must be removed, but )?/,
+    /the (.+) agent can fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?/,
+    /; .+ (?:is|takes) (\S+?)\.?$/,
+  ]
+    .map(({ source }) => source)
+    .join(""),
+  "i",
+);
 
 // What the planner says of flights that are too long, in the page's units and words; other messages as they are.
 export function refusalWords(message: string, units: Units, obstacleName: (id: number) => string): string {

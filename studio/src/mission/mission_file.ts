@@ -87,8 +87,8 @@ function only(said: Also, names: readonly string[]): Also {
 function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<string, string | number> {
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
-  for (const name of [...agentsInQuery(mission.agents, null).keys(), "method", ...inRules, ...timesInRules]) link.delete(name);
-  for (const name of ["protect_all", "zones", "also"]) link.delete(name);
+  const others = [...inRules, ...timesInRules, "method", "protect_all", "zones", "also"];
+  for (const name of [...agentsInQuery(mission.agents, null).keys(), ...others]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
 }
@@ -166,6 +166,8 @@ const known = {
   method: ["bound", "explain", ...alsoNames.method],
 };
 
+const batteryNames = ["range", "endurance", "reserve"] as const;
+
 // What the page has no words for, or the command refuses.
 export function leftOut(
   { agents, overlays, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "overlays" | "rules" | "method">,
@@ -183,7 +185,7 @@ export function leftOut(
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
-    ...(["range", "endurance", "reserve"] as const).filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
+    ...batteryNames.filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

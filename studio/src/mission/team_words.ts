@@ -58,7 +58,8 @@ function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string 
 function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
   if (plan.status === "no_plan") {
     const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
-    if (plan.mission?.rules?.collisions === false) remedies.push("Say in the mission settings what a place counts as that is not reached.");
+    const passes = plan.mission?.rules?.collisions === false;
+    if (passes) remedies.push("Say in the mission settings what a place counts as that is not reached.");
     if (plan.options.removals !== 0) remedies.unshift("Allow more removals, or add aircraft.");
     return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
   }

@@ -26,7 +26,7 @@ export function AgentList({ page, studio }: { page: PageState; studio: Studio | 
       {isTeam && (
         <p class="agent-legend">
           On the map, a start is filled and a goal is a ring.
-          {page.reach.value && " An arrow marks a place that is reached sooner or only now, a cross one that is not reached."}
+          {page.reach.value && " An arrow marks a place that is reached sooner or only now, a cross one that is not."}
         </p>
       )}
       {studio && (

@@ -23,7 +23,7 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
     return (
       <section class="headline bad" aria-label="Result">
         <h2>This mission cannot be planned</h2>
-        <p>{shown ? refusalWords(failure.message, page.units.value, (id) => nameOf(shown, id).text) : failure.message}</p>
+        <p>{refusalWords(failure.message, page.units.value, (id) => (shown ? nameOf(shown, id).text : `Obstacle ${id}`))}</p>
       </section>
     );
   }

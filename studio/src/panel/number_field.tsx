@@ -21,7 +21,8 @@ interface Typed {
 }
 
 // What cannot be taken stands, with what is said of it, until it is mended or the value changes otherwise.
-export function NumberField({ label, unit, value, min, max, onInput, onClear, empty = "any", onDone = () => undefined }: NumberFieldProps) {
+export function NumberField(props: NumberFieldProps) {
+  const { label, unit, value, min, max, onInput, onClear, empty = "any", onDone = () => undefined } = props;
   const id = useId();
   const [typed, setTyped] = useState<Typed | null>(null);
   const taken = (text: string): number | null => {
@@ -33,6 +34,7 @@ export function NumberField({ label, unit, value, min, max, onInput, onClear, em
   const usual = textOf(value);
   const text = typed !== null && textOf(typed.of) === usual ? typed.text : usual;
   const isWrong = text !== usual && !isCleared(text) && taken(text) === null;
+  const orNothing = onClear ? ", or nothing" : "";
   return (
     <div class={`number-field ${isWrong ? "wrong" : ""}`}>
       <label for={id}>{label}</label>
@@ -64,7 +66,7 @@ export function NumberField({ label, unit, value, min, max, onInput, onClear, em
         </span>
       </span>
       <span id={`${id}-range`} class="range-note" role="status">
-        {isWrong && `Give ${min} to ${max} ${unit}${onClear ? ", or nothing" : ""}. Until then it stays ${usual || empty}.`}
+        {isWrong && `Give ${min} to ${max} ${unit}${orNothing}. Until then it stays ${usual || empty}.`}
       </span>
     </div>
   );

@@ -197,7 +197,8 @@ export function whyNotRehearsed({ options, mission }: Plan): string | null {
   const agents = (mission?.agents ?? []) as AgentDocument[];
   if (options.timing === "ignore") return "Plans whose timing is ignored cannot be rehearsed: they enter what still stands.";
   if (agents.some(({ range, endurance }) => range !== undefined || endurance !== undefined)) {
-    return "Missions of aircraft whose battery ends cannot be rehearsed yet. To rehearse this one, leave range and endurance empty.";
+    const remedy = "To rehearse this one, leave range and endurance empty.";
+    return `Missions of aircraft whose battery ends cannot be rehearsed yet. ${remedy}`;
   }
   if (mission?.rules?.collisions === false) return "Missions whose vehicles pass through each other cannot be rehearsed.";
   return null;

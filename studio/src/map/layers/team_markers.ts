@@ -32,8 +32,8 @@ export function drawTeamMarkers(frame: Frame, scene: Scene, all: readonly Spot[]
   // Those that matter on top.
   for (const spot of [...seen].sort((a, b) => Number(isFirst(a)) - Number(isFirst(b)))) {
     if (isNamed(spot)) drawPill(frame, grown(spot.box, -halo), spot, colour(spot));
-    drawPlaceBadge(frame, scene, spot);
     if (isFirst(spot)) drawRing(frame, grown(spot.box, -halo));
+    drawPlaceBadge(frame, scene, spot);
   }
   context.globalAlpha = 1;
 }
