@@ -247,9 +247,10 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
     for (const TimedOpening& opening : mission.rules.opened) opened.push_back(opening.obstacle);
     team::TeamPlan team = team::plan_team(OpenedMap(map, opened), mission, interrupts, crossing, searcher, tell);
     plan.status = plan_status(team.status);
+    const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
     const bool all_alone =
         mission.rules.unreached || std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
-    if (all_alone) {
+    if (all_alone && team.vehicles.size() == vehicles) {  // a limit may come before the last has been looked at
         add_alone(mission, team.vehicles, plan);
     } else {
         add_nothing(mission, plan.before);

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { type Browser, chromium as launcher, type Locator, type Page } from "playwright-core";
 import type { Cell, Point } from "../src/domain/geometry";
-import type { Plan } from "../src/domain/plan";
+import { objectiveOf, type Plan, valueOf } from "../src/domain/plan";
 import { toScreen, wholeMap } from "../src/map/viewport/camera";
 import { chromium } from "./command";
 
@@ -77,9 +77,10 @@ export class StudioPage {
     return studio;
   }
 
-  // A plan, or the stream that ends with it.
+  // A plan, or the stream that ends with it, or with what is wrong.
   private keep(body: string): void {
     const event = /event: plan\ndata: (.*)\n/s.exec(body);
+    if (!event && body.startsWith("event:")) return;
     this.#answers.push(JSON.parse(event ? event[1]!.replaceAll("\ndata: ", "\n") : body) as Plan);
   }
 
@@ -103,8 +104,9 @@ export class StudioPage {
     const until = Date.now() + 30_000; // the page may have read the answer before it gets here
     for (;;) {
       const [reached, before] = await this.figures();
+      const of = (outcome: Plan["after"], answer: Plan) => valueOf(outcome, objectiveOf(answer));
       const plan = this.#answers.findLast(
-        (answer) => answer.after.makespan === reached && (before === undefined || answer.before.makespan === before),
+        (answer) => of(answer.after, answer) === reached && (before === undefined || of(answer.before, answer) === before),
       );
       if (plan) return plan;
       if (Date.now() > until) throw new Error(`the page says ${reached}, which no plan of the server reaches`);

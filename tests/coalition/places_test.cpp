@@ -123,6 +123,23 @@ TEST(Places, LeaveWhoCannotBeReached) {
 }
 
 // The opening goes to those who count for more, though the others are more.
+TEST(Places, HaveNoFiguresWhereALimitCameFirst) {
+    const Map map = map_from_ascii(R"(
+        ..b..
+        ..b..
+        .....)");
+    Mission mission{{vehicle("near", {0, 0}, {0, 0}), vehicle("far", {0, 0}, {4, 0}), vehicle("last", {0, 0}, {3, 0})}};
+    mission.rules.collisions = false;
+    mission.rules.unreached = 40;
+    Limits limits;
+    limits.expansions = 1;
+    const Plan plan = Planner().plan(map, mission, {}, limits);
+    EXPECT_EQ(plan.status, PlanStatus::limit_reached);
+    EXPECT_TRUE(plan.limit_reached);
+    EXPECT_FALSE(plan.before.makespan);
+    EXPECT_FALSE(plan.bound);
+}
+
 TEST(Places, OpenForTheWeight) {
     const char* const picture = R"(
         aaa.bbb

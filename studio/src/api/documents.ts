@@ -21,7 +21,7 @@ export interface MissionDocument {
   format: "waybreaker-mission/1";
   time_unit?: "s"; // on maps with metres
   agents: AgentDocument[];
-  rules: { separation: number; at_goal: AtGoal; zones?: ZoneCollection };
+  rules: { separation: number; at_goal: AtGoal; collisions?: boolean; unreached?: number; zones?: ZoneCollection };
 }
 
 // What has happened to a plan ("waybreaker-state/1", docs/live.md).

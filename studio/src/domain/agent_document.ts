@@ -1,5 +1,15 @@
 // Agents as mission files, plan files and requests have them (docs/contract.md).
-import { type Agents, type MissionAgent, opensOwnWay, placeOf, usualAircraft, usualVehicle, vehiclesFirst } from "./agents";
+import {
+  type Agents,
+  type Aircraft,
+  isLimited,
+  type MissionAgent,
+  opensOwnWay,
+  placeOf,
+  usualAircraft,
+  usualVehicle,
+  vehiclesFirst,
+} from "./agents";
 import type { Cell } from "./geometry";
 
 export interface AgentDocument {
@@ -13,8 +23,8 @@ export interface AgentDocument {
   ready_at?: number;
   approach?: readonly (readonly [number, number, number])[];
   breaches?: number;
-  weight?: number; // the page has none, nor these
-  range?: number;
+  weight?: number;
+  range?: number; // cells
   endurance?: number;
   reserve?: number;
 }
@@ -24,8 +34,11 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
   return agents.map((agent) => {
     const { id, kind } = agent;
     const [start, goal] = [placeOf(agents, agent, "start"), placeOf(agents, agent, "goal")];
-    const common = { id, kind, start, goal, speed: agent.speed / cell };
-    if (agent.kind === "air") return { ...common, ...(agent.breaches !== null && { breaches: agent.breaches }) };
+    const weight = agent.weight !== 1 && { weight: agent.weight };
+    const common = { id, kind, start, goal, speed: agent.speed / cell, ...weight };
+    if (agent.kind === "air") {
+      return { ...common, ...(agent.breaches !== null && { breaches: agent.breaches }), ...batteryOf(agent, cell) };
+    }
     return {
       ...common,
       radius: agent.radius,
@@ -33,6 +46,15 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
       ...(opensOwnWay(agents) && { breaches: agent.breaches }),
     };
   });
+}
+
+// A reserve of what never ends is none.
+function batteryOf({ range, endurance, reserve }: Aircraft, cell: number): Partial<AgentDocument> {
+  return {
+    ...(range !== null && { range: range / cell }),
+    ...(endurance !== null && { endurance }),
+    ...(reserve > 0 && isLimited({ range, endurance }) && { reserve }),
+  };
 }
 
 // What the units of a file are on the page.
@@ -46,15 +68,20 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
   const first = documents.find((agent) => agent.kind === "ground");
   const isApart = (place: Cell, other: Cell | undefined) => place.join() !== other?.join();
   const agents = documents.map((agent): MissionAgent => {
-    const { id, kind, start, goal } = agent;
+    const { id, kind, start, goal, weight = 1 } = agent;
     const speed = speedOf(agent, scale);
     if (kind === "ground") {
       const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
       const breaches = documents.length === 1 ? (agent.breaches ?? usualVehicle.breaches) : usualVehicle.breaches;
-      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches };
+      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches, weight };
     }
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
-    return { kind, id, ...places, speed, breaches: agent.breaches ?? usualAircraft.breaches };
+    const { breaches = usualAircraft.breaches, range, endurance, reserve = usualAircraft.reserve } = agent;
+    const limits = {
+      range: range === undefined ? usualAircraft.range : scaled(range, scale.cell),
+      endurance: endurance === undefined ? usualAircraft.endurance : scaled(endurance, scale.seconds),
+    };
+    return { kind, id, ...places, speed, breaches, ...limits, reserve, weight };
   });
   return vehiclesFirst(agents);
 }

@@ -13,6 +13,7 @@ export interface Vehicle {
   radius: number; // cells
   readyAt: number; // it stands at its start until then
   breaches: number; // how many obstacles it may breach in its own way, if nobody else takes part
+  weight: number; // what its arrival counts in the sum of arrivals
 }
 
 // A place that is null is that of the first vehicle.
@@ -23,13 +24,18 @@ export interface Aircraft {
   goal: Cell | null;
   speed: number;
   breaches: number | null; // how many obstacles it may breach; null: any number
+  range: number | null; // metres or cells from take-off to landing; null: any
+  endurance: number | null; // the same as a time
+  reserve: number; // the share of both that is not planned with
+  weight: number;
 }
 
 export type MissionAgent = Vehicle | Aircraft;
 export type Agents = readonly MissionAgent[]; // at least one is a vehicle
 
-export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0 };
-export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null };
+export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0, weight: 1 };
+const noBattery = { range: null, endurance: null, reserve: 0 };
+export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null, ...noBattery, weight: 1 };
 
 // One robot and one aircraft, which starts and ends with it.
 export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Agents {
@@ -39,14 +45,20 @@ export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Age
   ];
 }
 
-// One vehicle and one aircraft: the mission of the paper, and of whoever has added nobody.
-export function isPair(agents: readonly { kind: MissionAgent["kind"] }[]): boolean {
-  return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind;
+// One vehicle and one aircraft that count alike: the mission of the paper, and of whoever has added nobody.
+export function isPair(agents: readonly { kind: MissionAgent["kind"]; weight?: number }[]): boolean {
+  return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind && agents.every(({ weight = 1 }) => weight === 1);
+}
+
+// What of a mission says who arrives, and what that counts.
+export interface Counted {
+  agents: Agents;
+  unreached: number | null;
 }
 
 // The paper's method knows no others.
-export function hasPaperMethod(agents: Agents): boolean {
-  return isPair(agents);
+export function hasPaperMethod({ agents, unreached }: Counted): boolean {
+  return isPair(agents) && unreached === null;
 }
 
 // Whether the only agent breaks what is in its way.
@@ -59,9 +71,19 @@ export function canOpen(agents: Agents): boolean {
   return aircraftOf(agents).length > 0 || opensOwnWay(agents);
 }
 
+// Whether its battery ends.
+export function isLimited({ range, endurance }: Pick<Aircraft, "range" | "endurance">): boolean {
+  return range !== null || endurance !== null;
+}
+
+export function limitsFlights(agents: Agents): boolean {
+  return aircraftOf(agents).some(isLimited);
+}
+
 // Whether aircraft open the way for one vehicle: then nobody gets in anybody's way, and plans are fast.
-export function drivesAlone(agents: Agents): boolean {
-  return vehiclesOf(agents).length === 1 && aircraftOf(agents).length > 0;
+export function drivesAlone({ agents, unreached }: Counted): boolean {
+  const alike = unreached === null && agents.every(({ weight }) => weight === 1);
+  return alike && vehiclesOf(agents).length === 1 && aircraftOf(agents).length > 0;
 }
 
 export function vehiclesOf(agents: Agents): Vehicle[] {

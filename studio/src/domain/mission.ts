@@ -33,6 +33,8 @@ export interface Mission {
   breachTimePerCell: number;
   separation: number; // cells that the vehicles of a team keep between them
   atGoal: AtGoal;
+  collisions: boolean; // or vehicles get past each other anywhere
+  unreached: number | null; // where they do not: as what a vehicle counts that does not arrive; null: each must
   marks: ReadonlyMap<number, Choice>; // by obstacle, or by key of a drawn wall
   protectAll: readonly TagFilter[]; // beside what is marked: all obstacles that any of these means
   walls: readonly Run[]; // drawn
@@ -52,6 +54,8 @@ export const defaults = {
   breachTimePerCell: 0,
   separation: 0,
   atGoal: "stay",
+  collisions: true,
+  unreached: null,
   marks: new Map<number, Choice>() as ReadonlyMap<number, Choice>,
   protectAll: [] as readonly TagFilter[],
   walls: [] as readonly Run[],
@@ -62,6 +66,12 @@ export const defaults = {
   time: null,
 } satisfies Omit<Mission, "map" | "agents">;
 
+// How far vehicles keep from each other, and what counts where one does not arrive, in the terms of requests and files.
+export function meetingRules({ separation, atGoal, collisions, unreached }: Mission) {
+  if (collisions) return { separation, at_goal: atGoal };
+  return { separation: 0, at_goal: atGoal, collisions, ...(unreached !== null && { unreached }) };
+}
+
 // Where a mission begins and ends.
 export interface Ends {
   start: Cell;
@@ -71,6 +81,13 @@ export interface Ends {
 
 export function freshMission(map: string, { start, goal, radius }: Ends): Mission {
   return { ...defaults, map, agents: pair(start, goal, radius) };
+}
+
+// What values of the objective are divided by where they are shown: the sum of arrivals that count by weights says nothing
+// to anyone, their average does.
+export function shownPer({ agents, objective }: Pick<Mission, "agents" | "objective">): number {
+  const isWeighed = objective === "flowtime" && agents.some(({ weight }) => weight !== 1);
+  return (isWeighed && agents.reduce((sum, { weight }) => sum + weight, 0)) || 1;
 }
 
 // A drawn wall has no id that lasts: it is called by one of its cells, as a number below 0.

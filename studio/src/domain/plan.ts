@@ -84,6 +84,15 @@ export function isUnknown({ status }: Pick<FrontPoint, "status">): boolean {
   return status === "limit_reached" || status === "stopped" || status === "not_found";
 }
 
+// What is not removed only because no aircraft can fly there and home; how long the one that comes nearest would fly, and
+// how long it may, in units of time.
+export interface OutOfRange {
+  obstacle: number;
+  agent: string;
+  flight: number;
+  longest: number;
+}
+
 export type TimedPoint = [x: number, y: number, t: number];
 
 export interface Agent {
@@ -94,6 +103,7 @@ export interface Agent {
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   surface?: Surface; // of a vehicle, where the map knows its ways
+  reached?: false; // of a vehicle that stays at its start, for it would not arrive in time
   lost?: boolean; // in a rehearsal: where its path ends
   path: TimedPoint[]; // two points in a row at the same place are a wait
 }
@@ -151,6 +161,7 @@ export interface Plan {
   bound: Bound | null;
   removed: Removed[];
   demolition?: { removals: number; cells: number; area_m2?: number; structures?: number }; // what all of them destroy
+  out_of_range?: OutOfRange[]; // with options.explain
   next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan

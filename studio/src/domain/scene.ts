@@ -7,6 +7,7 @@ import type { Ruled } from "./looks";
 import type { Background, MapDescription } from "./map";
 import type { LayerName, Mark } from "./mission";
 import type { Plan } from "./plan";
+import type { Reach } from "./reach";
 import type { Rehearsed } from "./rehearsed";
 import type { Zone } from "./zone";
 
@@ -33,6 +34,7 @@ export interface Scene {
   selected: number | null; // obstacle whose card is open
   old: boolean; // whether the layers answer another mission than the markers show
   rehearsed: Rehearsed | null; // the top layer is what it shows
+  reach: Reach | null; // which places are reached, where vehicles stand for places
   time: number | null; // of playback; null shows whole paths
   followed: Point | null; // what of the map is to stay in sight while it moves
   tool: Tool;

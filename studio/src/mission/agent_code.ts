@@ -19,16 +19,20 @@ export interface AgentCodes {
 
 const between = "~"; // agents; commas stand between what is said of one
 const mostAgents = 10_000;
+const mostReserve = 0.9999; // a share
+const mostWeight = 1e9;
 
 export function encodeAgents(agents: Agents): AgentCodes {
-  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches }, i) => {
+  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches, weight }, i) => {
     const { speed: usualSpeed, radius: usualRadius, readyAt: usualReady, breaches: usualBreaches } = usualVehicle;
-    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches];
-    return fields([...start, ...goal, speed, radius, readyAt, id, breaches], usual);
+    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches, 1];
+    return fields([...start, ...goal, speed, radius, readyAt, id, breaches, weight], usual);
   });
-  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id }, i) => {
-    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i)];
-    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id], usual);
+  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, ...agent }, i) => {
+    const { range, endurance, reserve, weight } = agent;
+    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve, 1];
+    const battery = [range ?? "", endurance ?? "", reserve];
+    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery, weight], usual);
   });
   return { vehicles: vehicles.join(between), aircraft: aircraft.join(between) };
 }
@@ -63,8 +67,11 @@ function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
   const radius = numberOf(texts[5], usualVehicle.radius, 0, 32);
   const readyAt = numberOf(texts[6], usualVehicle.readyAt, 0, 1e6);
   const breaches = texts[8] ? wholeOf(texts[8]) : usualVehicle.breaches;
-  if (!start || !goal || speed === null || radius === null || readyAt === null || breaches === undefined) return null;
-  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt, breaches };
+  const weight = numberOf(texts[9], 1, 0, mostWeight);
+  if (!start || !goal || speed === null || radius === null || readyAt === null) return null;
+  if (breaches === undefined || weight === null) return null;
+  const id = idOf(texts[7], usualId("ground", index));
+  return { kind: "ground", id, start, goal, speed, radius, readyAt, breaches, weight };
 }
 
 function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {
@@ -72,8 +79,13 @@ function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null 
   const isWrong = (cell: Cell | null, from: number) => !cell && Boolean(texts[from] || texts[from + 1]);
   const speed = numberOf(texts[4], usualAircraft.speed, 1e-3, 1e4);
   const breaches = texts[5] ? wholeOf(texts[5]) : usualAircraft.breaches;
+  const [range, endurance] = [limitOf(texts[7]), limitOf(texts[8])];
+  const reserve = numberOf(texts[9], usualAircraft.reserve, 0, mostReserve);
   if (isWrong(start, 0) || isWrong(goal, 2) || speed === null || breaches === undefined) return null;
-  return { kind: "air", id: idOf(texts[6], usualId("air", index)), start, goal, speed, breaches };
+  const weight = numberOf(texts[10], 1, 0, mostWeight);
+  if (range === undefined || endurance === undefined || reserve === null || weight === null) return null;
+  const id = idOf(texts[6], usualId("air", index));
+  return { kind: "air", id, start, goal, speed, breaches, range, endurance, reserve, weight };
 }
 
 function cellOf(texts: string[], from: number, map: Size): Cell | null {
@@ -89,6 +101,11 @@ function numberOf(text: string | undefined, usual: number, least: number, most: 
   if (!text) return usual;
   const value = Number(text);
   return value >= least && value <= most ? value : null;
+}
+
+// Of a battery: null where there is none, undefined where the text is no limit.
+function limitOf(text: string | undefined): number | null | undefined {
+  return text ? (numberOf(text, 0, 1e-3, 1e9) ?? undefined) : null;
 }
 
 function idOf(text: string | undefined, usual: string): string {

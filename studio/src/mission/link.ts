@@ -1,5 +1,5 @@
 // A mission as the query of an address, and back. Defaults are left out.
-import { type Agents, changed, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
+import { type Agents, changed, isLimited, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
 import { alsoText, parseAlso } from "../domain/also";
 import type { Cell, Run } from "../domain/geometry";
 import {
@@ -28,6 +28,7 @@ const numbers = [
   ["breach_time", "breachTime", 0, 1e6],
   ["breach_time_per_cell", "breachTimePerCell", 0, 1e6],
   ["separation", "separation", 0, 32],
+  ["unreached", "unreached", 0, 1e9],
   ["price", "price", 0, 1e6],
 ] as const;
 
@@ -45,6 +46,7 @@ export function encodeLink(mission: Mission, width: number, usualRadius: number 
   if (mission.method !== defaults.method) query.push(["method", mission.method]);
   if (mission.objective !== defaults.objective) query.push(["objective", mission.objective]);
   if (mission.atGoal !== defaults.atGoal) query.push(["at_goal", mission.atGoal]);
+  if (!mission.collisions) query.push(["collisions", "false"]);
   for (const [name, member] of numbers) if (mission[member] !== defaults[member]) query.push([name, String(mission[member])]);
   for (const mark of marks) {
     const keys = [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
@@ -84,7 +86,8 @@ export function agentsInQuery(agents: Agents, usualRadius: number | null = usual
 
 function isPlain({ ground, air }: NonNullable<ReturnType<typeof ofPair>>): boolean {
   const areUnnamed = ground.id === ground.kind && air.id === air.kind;
-  return areUnnamed && ground.readyAt === usualVehicle.readyAt && air.breaches === usualAircraft.breaches;
+  const flies = air.breaches === usualAircraft.breaches && !isLimited(air) && air.reserve === usualAircraft.reserve;
+  return areUnnamed && ground.readyAt === usualVehicle.readyAt && flies;
 }
 
 export interface Decoded {
@@ -129,6 +132,11 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
     "at_goal",
     (text) => oneOf<AtGoal>(["stay", "leave"], text),
     (value) => (mission.atGoal = value),
+  );
+  take(
+    "collisions",
+    (text) => oneOf(["true", "false"] as const, text),
+    (value) => (mission.collisions = value === "true"),
   );
   take("removals", removalsOf, (value) => (mission.removals = value));
   take(

@@ -3,7 +3,7 @@
 import { type AgentDocument, agentDocuments, agentsOf, scaled } from "../domain/agent_document";
 import { hasPaperMethod, usualVehicle } from "../domain/agents";
 import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/also";
-import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
+import { marked, meetingRules, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
 import { secondsPerUnit } from "../domain/units";
 import { zoneCollection, zonesOf, zonesText } from "../domain/zone";
@@ -41,7 +41,7 @@ export interface MapOfMission {
 export function missionFile(mission: Mission, map: MapOfMission, removals: number): string {
   const { agents, method } = mission;
   const count = mission.removals === "auto" ? removals : mission.removals;
-  const said: Also = { ...methodWords(hasPaperMethod(agents) ? method : "exact", count), ...mission.also };
+  const said: Also = { ...methodWords(hasPaperMethod(mission) ? method : "exact", count), ...mission.also };
   const { corners } = said;
   const isCut = (agent: AgentDocument) => corners !== undefined && agent.kind === "ground";
   const ids = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
@@ -57,8 +57,7 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
       breach_time_per_cell: mission.breachTimePerCell,
       ...only(said, alsoNames.rules),
       objective: mission.objective,
-      separation: mission.separation,
-      at_goal: mission.atGoal,
+      ...meetingRules(mission),
       ...(mission.zones.length > 0 && { zones: zoneCollection(mission.zones) }),
     },
     method: only(said, alsoNames.method),
@@ -88,8 +87,8 @@ function only(said: Also, names: readonly string[]): Also {
 function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<string, string | number> {
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
-  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "zones", "also"];
-  for (const name of [...agentsInQuery(mission.agents, null).keys(), "method", ...rules]) link.delete(name);
+  const others = [...inRules, ...timesInRules, "method", "protect_all", "zones", "also"];
+  for (const name of [...agentsInQuery(mission.agents, null).keys(), ...others]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
 }
@@ -103,7 +102,8 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   const asked = agentsOf(agents, scale);
   const isSized = agents.every((agent) => agent.kind === "air" || agent.radius !== undefined);
   const removals = Number(rules.removals ?? usualRemovals);
-  const how: Method = method.select === "hits" && hasPaperMethod(asked) ? "paper" : "exact";
+  const unreached = typeof rules.unreached === "number" ? rules.unreached : null;
+  const how: Method = method.select === "hits" && hasPaperMethod({ agents: asked, unreached }) ? "paper" : "exact";
   const corners = cornersOf(agents);
   const query = new URLSearchParams({
     ...Object.fromEntries(agentsInQuery(asked, isSized ? null : usualVehicle.radius)),
@@ -112,10 +112,10 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   });
   const also = alsoOf({ ...rules, ...method, ...(corners && { corners }) }, how, removals);
   if (Object.keys(also).length > 0) query.set("also", alsoText(also));
-  for (const name of ["objective", "separation", "at_goal"]) {
+  for (const name of inRules) {
     if (rules[name] !== undefined) query.set(name, String(rules[name]));
   }
-  for (const name of ["breach_time", "breach_time_per_cell"]) {
+  for (const name of timesInRules) {
     if (rules[name] !== undefined) query.set(name, String(scaled(Number(rules[name]), scale.seconds)));
   }
   for (const [name, said] of Object.entries(page)) if (name !== "cell_size") query.set(name, String(said));
@@ -151,6 +151,10 @@ function inOne(texts: readonly string[]): string {
 
 const usualRemovals = 3; // of the command
 
+// What links and rules call alike.
+const inRules = ["objective", "separation", "at_goal", "collisions"];
+const timesInRules = ["breach_time", "breach_time_per_cell", "unreached"];
+
 // Those of all vehicles; null where they differ.
 function cornersOf(agents: readonly Partial<AgentDocument>[]): string | null {
   const all = new Set(agents.filter((agent) => agent.kind !== "air").map(({ corners = "none" }) => corners));
@@ -158,9 +162,11 @@ function cornersOf(agents: readonly Partial<AgentDocument>[]): string | null {
 }
 
 const known = {
-  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "objective", "separation", "at_goal", "zones", ...alsoNames.rules],
+  rules: ["removals", "protect", "force", ...inRules, ...timesInRules, "zones", ...alsoNames.rules],
   method: ["bound", "explain", ...alsoNames.method],
 };
+
+const batteryNames = ["range", "endurance", "reserve"] as const;
 
 // What the page has no words for, or the command refuses.
 export function leftOut(
@@ -178,9 +184,8 @@ export function leftOut(
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
-    ...(agents.some(({ weight = 1 }) => weight !== 1) ? ["weights of agents"] : []),
     ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
-    ...(["range", "endurance", "reserve"] as const).filter((name) => says(name, "air")).map((name) => `${name} of aircraft`),
+    ...batteryNames.filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

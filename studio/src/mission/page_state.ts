@@ -2,8 +2,9 @@
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import { cellOf, looksOf } from "../domain/agents";
 import type { Point } from "../domain/geometry";
-import { asksTheSame, defaults, type LayerName, type Mark, type Mission } from "../domain/mission";
+import { asksTheSame, defaults, type LayerName, type Mark, type Mission, shownPer } from "../domain/mission";
 import type { Plan } from "../domain/plan";
+import type { Reach } from "../domain/reach";
 import type { Rehearsed } from "../domain/rehearsed";
 import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { type Pace, type Units, unitsOf } from "../domain/units";
@@ -13,6 +14,7 @@ import { duration } from "../play/motion";
 import { drawnObstacles } from "./edited";
 import { type History, replace } from "./history";
 import type { ShownMap } from "./maps";
+import { reachOf } from "./place_words";
 
 export interface Notice {
   tone: "info" | "bad";
@@ -44,6 +46,11 @@ export class PageState {
       ? unitsOf(this.shown.value.base.description, this.pace)
       : { metric: true, cell: 1, time: "seconds", seconds: 1 },
   );
+  // Of values of the objective.
+  readonly objectiveUnits = computed<Units>(() => {
+    const [units, mission] = [this.units.value, this.mission.value];
+    return mission ? { ...units, seconds: units.seconds / shownPer(mission) } : units;
+  });
   readonly loading = signal(true); // a map is on its way
   readonly selected = signal<number | null>(null);
   readonly highlighted = signal<number | null>(null);
@@ -57,6 +64,11 @@ export class PageState {
   readonly rehearsed: Signal<Rehearsed | null> = signal(null);
   // The plan that is played.
   readonly played = computed<Plan | null>(() => this.rehearsed.value?.plan ?? this.results.plans.value.after?.plan ?? null);
+
+  readonly reach = computed<Reach | null>(() => {
+    const { after, before } = this.results.plans.value;
+    return after ? reachOf(after.plan, before?.plan ?? null) : null;
+  });
 
   // Whether what is shown answers an older question.
   readonly outdated = computed(() => {

@@ -1,5 +1,15 @@
 // Where one more agent starts and ends: near those that are there, with room for each.
-import { type Agents, type Aircraft, type End, freshId, usualVehicle, type Vehicle, vehiclesOf } from "../domain/agents";
+import {
+  type Agents,
+  type Aircraft,
+  aircraftOf,
+  type End,
+  freshId,
+  usualAircraft,
+  usualVehicle,
+  type Vehicle,
+  vehiclesOf,
+} from "../domain/agents";
 import type { CellMap } from "../domain/cell_map";
 import type { Cell } from "../domain/geometry";
 
@@ -14,10 +24,10 @@ export function oneVehicleMore(agents: Agents, cells: CellMap, separation: numbe
   return start && goal && { ...last, id: freshId(agents, "ground"), readyAt: usualVehicle.readyAt, start, goal };
 }
 
-// From and to where the first vehicle is, as fast as the last one.
+// From and to where the first vehicle is, as fast as the last one, and with such a battery.
 export function oneAircraftMore(agents: Agents): Aircraft {
-  const speed = agents.findLast((agent) => agent.kind === "air")?.speed ?? 1;
-  return { kind: "air", id: freshId(agents, "air"), start: null, goal: null, speed, breaches: null };
+  const { speed, range, endurance, reserve } = aircraftOf(agents).at(-1) ?? usualAircraft;
+  return { kind: "air", id: freshId(agents, "air"), ...usualAircraft, speed, range, endurance, reserve };
 }
 
 interface Disc {

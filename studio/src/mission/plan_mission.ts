@@ -30,7 +30,8 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
   if (!agents) return null;
   const { options } = plan;
   const rules = plan.mission?.rules ?? {};
-  const method = options.select === "hits" && hasPaperMethod(agents) ? "paper" : "exact";
+  const unreached = typeof rules.unreached === "number" ? scaled(rules.unreached, scale.seconds) : null;
+  const method = options.select === "hits" && hasPaperMethod({ agents, unreached }) ? "paper" : "exact";
   const marks = (ids: number[] | undefined, mark: Mark) => (ids ?? []).map((id): [number, Mark] => [id, mark]);
   return {
     ...defaults,
@@ -43,6 +44,8 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
     breachTimePerCell: scaled(options.breach_time_per_cell ?? 0, scale.seconds),
     separation: Number(rules.separation ?? defaults.separation),
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
+    collisions: rules.collisions !== false,
+    unreached,
     zones: zonesOf(rules.zones) ?? [],
     also: alsoOf(saidOf(plan), method, options.removals ?? defaults.removals),
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),

@@ -44,6 +44,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     selected: page.selected.value,
     old: page.old.value,
     rehearsed,
+    reach: page.reach.value,
     time: page.clock.time.value,
     followed: followed(page),
     tool: studio?.editor.tool.value ?? "move",

@@ -4,6 +4,7 @@ import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
 import { isNegligible } from "./gain";
+import { isWeighed } from "./place_words";
 import { asGood, counted, type Headline, isProven, soFar, type Telling, unasked } from "./words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.
@@ -34,6 +35,7 @@ function teamHeadlineOf(plan: Plan, closed: Plan | null, telling: Telling): Head
 function gain(plan: Plan, share: number): string {
   const size = percent(Math.abs(share));
   const when = `${size} ${share > 0 ? "sooner" : "later"}`;
+  if (objectiveOf(plan) === "flowtime" && isWeighed(plan)) return `makes the weighted average arrival ${when}`;
   if (objectiveOf(plan) === "flowtime") return `${share > 0 ? "saves" : "costs"} ${size} of the agents’ time on the way`;
   if (objectiveOf(plan) === "ground-makespan") return `gets the last vehicle there ${when}`;
   return `ends the mission ${when}`;
@@ -42,10 +44,11 @@ function gain(plan: Plan, share: number): string {
 function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string {
   if (String(plan.options.select) === "none") return unasked;
   const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
+  if (!mayRemove && plan.mission?.rules?.collisions === false) return "With nothing removed";
   if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `${vehicles === 2 ? "Both" : `All ${vehicles}`} vehicles arrive without touching`;
   const none = isProven(plan) && !isLooking ? "No removal" : "No removal was found that";
   const gains = {
-    flowtime: "saves any of the agents’ time on the way",
+    flowtime: isWeighed(plan) ? "makes the weighted average arrival sooner" : "saves any of the agents’ time on the way",
     "ground-makespan": "gets the last vehicle there sooner",
     makespan: "ends the mission sooner",
   };
@@ -55,6 +58,8 @@ function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string 
 function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
   if (plan.status === "no_plan") {
     const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
+    const passes = plan.mission?.rules?.collisions === false;
+    if (passes) remedies.push("Say in the mission settings what a place counts as that is not reached.");
     if (plan.options.removals !== 0) remedies.unshift("Allow more removals, or add aircraft.");
     return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
   }

@@ -2,6 +2,7 @@
 import { useId } from "preact/hooks";
 import { type Agents, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
+import { Battery } from "./battery";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
 import { VehicleSize } from "./vehicle_size";
@@ -40,8 +41,20 @@ export function AgentFields({ studio, agents, index }: Props) {
           />
         </>
       ) : (
-        <OpensAtMost studio={studio} agents={agents} index={index} />
+        <>
+          <OpensAtMost studio={studio} agents={agents} index={index} />
+          <Battery studio={studio} index={index} />
+        </>
       )}
+      <NumberField
+        label="Weight in the sum"
+        unit=""
+        min={0}
+        max={1_000_000_000}
+        value={agent.weight}
+        onInput={(weight) => studio.editor.changeAgent(index, { weight }, `weight ${index}`)}
+        onDone={() => studio.editor.endGesture()}
+      />
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (
           <button type="button" class="button" onClick={() => studio.editor.bringAircraftBack(index)}>

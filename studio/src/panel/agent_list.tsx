@@ -1,9 +1,12 @@
 // The agents of a team: when each arrives, and what it can do. Of a pair only how to add to it.
 import { Fragment } from "preact";
 import type { Agents, MissionAgent } from "../domain/agents";
+import { shownPer } from "../domain/mission";
 import { objectiveOf, type Plan } from "../domain/plan";
 import { clockTime, type Units } from "../domain/units";
+import { landing } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
+import { worthSaying } from "../mission/place_words";
 import type { Studio } from "../mission/studio";
 import { aloneArrival, gainOf } from "../mission/team_words";
 import { arrival, breachOrder, waits } from "../play/motion";
@@ -20,7 +23,12 @@ export function AgentList({ page, studio }: { page: PageState; studio: Studio | 
   return (
     <Section title="Vehicles and aircraft" kind="agents">
       {isTeam && <AgentTable page={page} studio={studio} agents={mission.agents} />}
-      {isTeam && <p class="agent-legend">On the map, a start is filled and a goal is a ring.</p>}
+      {isTeam && (
+        <p class="agent-legend">
+          On the map, a start is filled and a goal is a ring.
+          {page.reach.value && " An arrow marks a place that is reached sooner or only now, a cross one that is not."}
+        </p>
+      )}
       {studio && (
         <div class="agent-buttons">
           <button type="button" class="button" onClick={() => studio.editor.addVehicle()}>
@@ -44,8 +52,6 @@ export function AgentList({ page, studio }: { page: PageState; studio: Studio | 
     </Section>
   );
 }
-
-const worthSaying = 1e-3; // of a time: paths bend at cell centres here or there
 
 interface TableProps {
   page: PageState;
@@ -84,7 +90,7 @@ function AgentTable({ page, studio, agents }: TableProps) {
             </Fragment>
           ))}
         </tbody>
-        {plan && plan.agents.length > 0 && <Totals plan={plan} units={page.units.value} />}
+        {plan && plan.agents.length > 0 && <Totals plan={plan} page={page} />}
       </table>
     </div>
   );
@@ -131,22 +137,35 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
   const at = arrival(agent);
   const time = (value: number) => <data value={value}>{clockTime(value, units)}</data>;
   if (agent.kind === "air") {
+    const lands = landing(plan, agent, units);
     const opens = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
     return (
       <>
         <td>{agent.lost ? "lost" : time(at)}</td>
-        <td colSpan={2}>{opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}</td>
+        <td colSpan={2}>
+          {opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}
+          {lands && <small class="agent-gain">{lands}</small>}
+        </td>
       </>
     );
   }
+  const isOnlyNow = closed?.agents.some((one) => one.id === id && one.reached === false);
   const alone = aloneArrival(plan, index);
   const waited = waits(agent).reduce((sum, { from, until }) => sum + until - from, 0);
   return (
     <>
-      <td class={alone === null || at < alone * (1 - worthSaying) ? "sooner" : ""}>
-        {time(at)}
-        <Gain gain={gainOf(plan, closed, id)} of={at} units={units} />
-      </td>
+      {agent.reached === false ? (
+        <td class="missed">not reached</td>
+      ) : (
+        <td class={alone === null || at < alone * (1 - worthSaying) ? "sooner" : ""}>
+          {time(at)}
+          {isOnlyNow ? (
+            <small class="agent-gain">only now</small>
+          ) : (
+            <Gain gain={gainOf(plan, closed, id)} of={at} units={units} />
+          )}
+        </td>
+      )}
       <td>{alone === null ? "no way" : time(alone)}</td>
       <td>{waited > 0 ? time(waited) : "–"}</td>
     </>
@@ -164,22 +183,26 @@ function Gain({ gain, of, units }: { gain: number | null; of: number; units: Uni
 }
 
 // Of the whole team, together and each alone; first what counts.
-function Totals({ plan, units }: { plan: Plan; units: Units }) {
+function Totals({ plan, page }: { plan: Plan; page: PageState }) {
+  const { agents } = page.mission.value!;
+  const [units, per] = [page.units.value, shownPer({ agents, objective: "flowtime" })];
+  const sums = { ...units, seconds: units.seconds / per };
   const rows = [
-    { name: "Last arrival", member: "makespan", objective: "makespan" },
-    { name: "Last vehicle", member: "ground_makespan", objective: "ground-makespan" },
-    { name: "Sum", member: "flowtime", objective: "flowtime" },
+    { name: "Last arrival", member: "makespan", objective: "makespan", units },
+    { name: "Last vehicle", member: "ground_makespan", objective: "ground-makespan", units },
+    { name: per === 1 ? "Sum" : "Average", member: "flowtime", objective: "flowtime", units: sums },
   ] as const;
   const counts = ({ objective }: (typeof rows)[number]) => objective === objectiveOf(plan);
   const ordered = [...rows.filter(counts), ...rows.filter((row) => !counts(row))];
-  const time = (value: number | null) => (value === null ? "no way" : <data value={value}>{clockTime(value, units)}</data>);
+  const time = (value: number | null, of: Units) =>
+    value === null ? "no way" : <data value={value}>{clockTime(value, of)}</data>;
   return (
     <tfoot>
       {ordered.map((row) => (
         <tr key={row.name} class={counts(row) ? "counts" : ""}>
           <th scope="row">{row.name}</th>
-          <td>{time(plan.after[row.member])}</td>
-          <td>{time(plan.before[row.member])}</td>
+          <td>{time(plan.after[row.member], row.units)}</td>
+          <td>{time(plan.before[row.member], row.units)}</td>
           <td />
         </tr>
       ))}

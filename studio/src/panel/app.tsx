@@ -98,7 +98,7 @@ function titleOf(page: PageState, studio: Studio | null): string {
   if (reached == null) return `${place} – waybreaker`;
   const ids = plan!.removed.map((one) => one.obstacle);
   const removed = counted(ids.length, areBuildings(page.shown.value!, ids));
-  return `${place}: ${duration(reached, page.units.value)}, ${removed} removed – waybreaker`;
+  return `${place}: ${duration(reached, page.objectiveUnits.value)}, ${removed} removed – waybreaker`;
 }
 
 interface MapAreaProps {

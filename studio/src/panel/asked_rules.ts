@@ -13,6 +13,7 @@ export function askedRules(plan: Plan): string | null {
   if (weight !== null) parts.push(`removals that weigh at most ${weight}`);
   if (share === 0) parts.push("of the best plans the one that demolishes least");
   if (share) parts.push(`the least demolition within ${+(100 * share).toPrecision(3)} % of the best plan`);
+  if (rules["collisions"] === false) parts.push("vehicles pass through each other");
   if (kept > 0) parts.push(`${kept === 1 ? "1 obstacle" : `${kept} obstacles`} protected`);
   if (forced > 0) parts.push(`${forced === 1 ? "1 obstacle" : `${forced} obstacles`} to be removed`);
   return parts.length > 0 ? parts.join("; ") : null;

@@ -79,7 +79,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
     );
   }
   const stale = question !== null && front.key !== keyOf.front(question);
-  const units = page.units.value;
+  const units = page.objectiveUnits.value;
   const columns = columnsOf(front, mission.objective);
   const place = placer(columns, width);
   const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);

@@ -1,15 +1,18 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
 import { isTeam } from "../domain/plan";
+import { refusalWords } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
+import { reachWords } from "../mission/place_words";
 import { surfaceWords } from "../mission/surface_words";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
 import { askedRules } from "./asked_rules";
+import { Flights, flightTexts } from "./flights";
 import { Icon, type IconName } from "./icons";
-import { areBuildings } from "./obstacle_words";
+import { areBuildings, nameOf } from "./obstacle_words";
 import { SearchLine } from "./search_line";
 
 export function HeadlineSection({ page, studio }: { page: PageState; studio: Studio | null }) {
@@ -20,7 +23,7 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
     return (
       <section class="headline bad" aria-label="Result">
         <h2>This mission cannot be planned</h2>
-        <p>{failure.message}</p>
+        <p>{refusalWords(failure.message, page.units.value, (id) => (shown ? nameOf(shown, id).text : `Obstacle ${id}`))}</p>
       </section>
     );
   }
@@ -47,14 +50,16 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
   const closed = page.results.plans.value.before?.plan ?? null;
   const isLooking = after.rough !== undefined;
   const isFound = isLooking && page.results.progress.value?.best != null;
-  const telling = { units, buildings, isLooking, isFound };
+  const objectiveUnits = page.objectiveUnits.value;
+  const telling = { units: objectiveUnits, buildings, isLooking, isFound };
   const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
-  const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
+  const reach = page.reach.value;
+  const who = reach ? reachWords(reach) : team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const surface = surfaceWords(after.plan, units);
-  const figures = words.figures ? figureTexts(words.figures, units) : [];
+  const figures = words.figures ? figureTexts(words.figures, objectiveUnits) : [];
   const asked = studio ? null : askedRules(after.plan); // there the choices are listed
-  const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
-  const spoken = [told, words.note, who, surface].filter((part) => part).join(" ");
+  const told = words.figures ? `${words.title}: ${figuresText(words.figures, objectiveUnits)}.` : words.title;
+  const spoken = [told, words.note, who, surface, ...flightTexts(page, after.plan)].filter((part) => part).join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value || isLooking}>
       <h2>
@@ -77,6 +82,7 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
       {words.note && <p class="arrivals">{words.note}</p>}
       {who && <p class="arrivals">{who}</p>}
       {surface && <p class="arrivals">{surface}</p>}
+      <Flights page={page} plan={after.plan} />
       {asked && <p class="arrivals">Asked for: {asked}.</p>}
       {words.remedies.length > 0 && (
         <ul class="remedies">

@@ -22,7 +22,7 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
   if (!mission || !shown) return null;
   const plans = page.results.plans.value;
   const team = page.looks.value.size > 0;
-  const units = page.units.value;
+  const units = page.objectiveUnits.value;
   const what = (name: LayerName) => {
     const plan = plans[name]?.plan;
     if (name === "before") return "nothing removed";

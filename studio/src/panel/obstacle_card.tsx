@@ -5,6 +5,7 @@ import { factsOf, kindWord, whyItStays } from "../domain/obstacle_words";
 import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { Marked } from "../map/map_view";
+import { whyTooFar } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { bestCorner, type Corner } from "./card_place";
@@ -39,6 +40,7 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
   if (!shown || !obstacle) return null;
   const units = page.units.value;
   const name = nameOf(shown, obstacle.id);
+  const far = plan && whyTooFar(plan, obstacle.id, units);
   const removed = plan?.removed.find((one) => one.obstacle === obstacle.id);
   return (
     <aside ref={card} class="card" data-corner={corner} style={{ "--below": `${below}px` }} aria-label={`About ${name.text}`}>
@@ -61,6 +63,7 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
           {removed.saves != null && removed.saves > 0 && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}
+      {far && <p>{far}</p>}
       {!obstacle.destructible && <p>{whyItStays(obstacle)}</p>}
       {obstacle.destructible && studio && (
         <>

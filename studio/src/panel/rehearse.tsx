@@ -3,6 +3,7 @@ import type { Agent, Plan } from "../domain/plan";
 import { clockTime } from "../domain/units";
 import type { Studio } from "../mission/studio";
 import { nameOf as agentName } from "../play/story";
+import { whyNotRehearsed } from "../rehearse/rehearsal";
 import { AgentDot } from "./agent_dot";
 import { Section } from "./controls";
 import { Icon } from "./icons";
@@ -15,7 +16,16 @@ const mostListed = 8; // of each kind: others can be asked on the map
 export function Rehearse({ studio }: { studio: Studio }) {
   const { page, rehearsal } = studio;
   const plan = page.played.value;
-  if (!rehearsal.available.value || !plan) return null;
+  if (!plan || plan.agents.length === 0) return null;
+  const why = whyNotRehearsed(plan);
+  if (why) {
+    return (
+      <Section title="Rehearse" kind="rehearse">
+        <p class="known">{why}</p>
+      </Section>
+    );
+  }
+  if (!rehearsal.available.value) return null;
   const isBegun = page.clock.time.value !== null || page.rehearsed.value !== null;
   return (
     <Section title="Rehearse" kind="rehearse">

@@ -124,7 +124,7 @@ function Row({ page, studio, removed, order, users }: RowProps) {
         {users && <AgentNames page={page} ids={users} />}
         {(!users || removed.saves !== undefined) && (
           <span class={users ? "if-kept" : ""}>
-            <IfKept saves={removed.saves} units={units} />
+            <IfKept saves={removed.saves} units={page.objectiveUnits.value} />
             {users && " if kept"}
           </span>
         )}
@@ -204,7 +204,7 @@ function Next({ page }: { page: PageState }) {
   const next = plan?.next?.filter((one) => one.saves !== null && one.saves > 0) ?? [];
   if (!shown || next.length === 0) return null;
   const now = reached(plan!);
-  const gain = difference(now - next[0]!.saves!, now, page.units.value);
+  const gain = difference(now - next[0]!.saves!, now, page.objectiveUnits.value);
   return (
     <p class="next">
       One removal more would take{" "}

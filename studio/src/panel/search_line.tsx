@@ -17,7 +17,7 @@ export function SearchLine({ studio }: { studio: Studio }) {
   const isSoon = state.stage === "waiting" || (state.stage === "looking" && after?.rough === "draft");
   const isShort = isSoon && (state.seconds ?? 0) < soon;
   const text = isShort ? null : searchText(state);
-  const known = state.stage === "ended" || isShort ? null : knownText(state, studio.page.units.value);
+  const known = state.stage === "ended" || isShort ? null : knownText(state, studio.page.objectiveUnits.value);
   const isHeld = studio.gone.value || studio.maps.lost.value !== null; // goes on by itself, or not at all
   return (
     <div class="search-state" role="group" aria-label="State of the search">

@@ -1,9 +1,10 @@
 // How the mission is planned, and what the two agents can do.
 import { useId } from "preact/hooks";
-import { type Aircraft, ofPair, type Vehicle, vehiclesOf } from "../domain/agents";
+import { type Aircraft, hasPaperMethod, ofPair, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
 import { LeavesNotBefore, OpensAtMost } from "./agent_fields";
+import { Battery } from "./battery";
 import { Segmented } from "./controls";
 import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
@@ -36,7 +37,7 @@ export function Settings({ studio }: { studio: Studio }) {
       <summary>
         <h2>Mission settings</h2>
       </summary>
-      {two && (
+      {hasPaperMethod(mission) && (
         <Segmented
           legend="Method"
           choices={[
@@ -77,7 +78,8 @@ export function Settings({ studio }: { studio: Studio }) {
         )}
         {two && <LeavesNotBefore label="Robot leaves not before" {...fieldsOf(two.ground)} />}
         {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
-        {vehiclesOf(mission.agents).length > 1 && <TeamFields studio={studio} />}
+        {two && <Battery studio={studio} index={mission.agents.indexOf(two.air)} title="Aircraft’s battery" />}
+        {(vehiclesOf(mission.agents).length > 1 || !mission.collisions) && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />
       </div>
       {two && <AircraftPlace studio={studio} aircraft={two.air} />}
@@ -87,20 +89,22 @@ export function Settings({ studio }: { studio: Studio }) {
 
 // What several vehicles need to agree on.
 function TeamFields({ studio }: { studio: Studio }) {
-  const { separation, atGoal } = studio.page.mission.value!;
-  const units = studio.page.units.value;
+  const { atGoal, collisions } = studio.page.mission.value!;
   const id = useId();
   return (
     <>
-      <NumberField
-        label="Room between vehicles"
-        unit={units.metric ? "m" : "cells"}
-        min={0}
-        max={32 * units.cell}
-        value={separation * units.cell}
-        onInput={(value) => studio.editor.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
-        onDone={() => studio.editor.endGesture()}
-      />
+      <label class="switch" title="Each drives as if it were alone, and two may be in one place">
+        <input
+          type="checkbox"
+          checked={!collisions}
+          onChange={(event) => {
+            const pass = event.currentTarget.checked;
+            studio.editor.change((old) => ({ ...old, collisions: !pass }));
+          }}
+        />
+        <span>Vehicles pass through each other</span>
+      </label>
+      {collisions ? <Room studio={studio} /> : <Unreached studio={studio} />}
       <div class="number-field">
         <label for={id}>Who has arrived</label>
         <select
@@ -116,6 +120,39 @@ function TeamFields({ studio }: { studio: Studio }) {
         </select>
       </div>
     </>
+  );
+}
+
+function Room({ studio }: { studio: Studio }) {
+  const units = studio.page.units.value;
+  return (
+    <NumberField
+      label="Room between vehicles"
+      unit={units.metric ? "m" : "cells"}
+      min={0}
+      max={32 * units.cell}
+      value={studio.page.mission.value!.separation * units.cell}
+      onInput={(value) => studio.editor.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
+      onDone={() => studio.editor.endGesture()}
+    />
+  );
+}
+
+// Empty: each vehicle has to arrive.
+function Unreached({ studio }: { studio: Studio }) {
+  const set = (unreached: number | null) => studio.editor.change((old) => ({ ...old, unreached }), "unreached");
+  return (
+    <NumberField
+      label="A place not reached counts as"
+      unit={studio.page.units.value.metric ? "s" : "steps"}
+      min={1}
+      max={100_000_000}
+      value={studio.page.mission.value!.unreached}
+      empty="no plan"
+      onInput={set}
+      onClear={() => set(null)}
+      onDone={() => studio.editor.endGesture()}
+    />
   );
 }
 

@@ -16,6 +16,7 @@ import {
   explainRequest,
   furtherLimits,
   hasDraft,
+  hasReasons,
   isCut,
   isHasty,
   keptBeforeRequest,
@@ -271,10 +272,10 @@ export class PlanFetcher {
     return plan;
   }
 
-  // The plan again with what each removal saves.
+  // The plan again with what each removal saves, and what is out of range.
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after;
-    if (!shown || shown.plan.removed.length === 0) return;
+    if (!shown || !hasReasons(question, shown.plan)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
     const plan = await this.service.plan(question.map, explainRequest(question, removals), stop);
     if (!isAsGood(plan, shown.plan)) return;
@@ -291,7 +292,7 @@ export class PlanFetcher {
 
   async #paper(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after?.plan;
-    if (!shown || !hasPaperMethod(question.of.agents)) return;
+    if (!shown || !hasPaperMethod(question.of)) return;
     const removals = question.removals === "auto" ? shown.removed.length : question.removals;
     const paper =
       question.method === "paper"

@@ -1,9 +1,9 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
-import { canOpen, drivesAlone, hasPaperMethod } from "../domain/agents";
+import { canOpen, drivesAlone, hasPaperMethod, limitsFlights } from "../domain/agents";
 import { alsoNames } from "../domain/also";
-import { marked, type Method, type Mission } from "../domain/mission";
+import { marked, meetingRules, type Method, type Mission, shownPer } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 import { filterText, type TagFilter } from "../domain/tag_filter";
 import type { Units } from "../domain/units";
@@ -48,15 +48,16 @@ export function questionOf(
     map,
     mission: documentOf(mission, units),
     options,
-    method: hasPaperMethod(mission.agents) ? mission.method : "exact",
+    method: hasPaperMethod(mission) ? mission.method : "exact",
     removals: canOpen(mission.agents) || mission.removals !== "auto" ? mission.removals : 0,
-    price: mission.price,
+    price: mission.price * shownPer(mission),
     withBefore: mission.layers.includes("before"),
   };
 }
 
-function documentOf({ agents, separation, atGoal, zones }: Mission, units: Units): PlanRequest["mission"] {
-  const rules = { separation, at_goal: atGoal, ...(zones.length > 0 && { zones: zoneCollection(zones) }) };
+function documentOf(mission: Mission, units: Units): PlanRequest["mission"] {
+  const { agents, zones } = mission;
+  const rules = { ...meetingRules(mission), ...(zones.length > 0 && { zones: zoneCollection(zones) }) };
   const unit = units.metric ? { time_unit: "s" as const } : {};
   return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
 }
@@ -81,7 +82,7 @@ function request(question: Question, method: Method | "draft", options: RequestO
   const how: Record<typeof method, RequestOptions> = {
     exact: { select: "exact" },
     paper: { paper: true },
-    draft: drivesAlone(question.of.agents) ? { ...byHits, ...hurried } : teamDraft,
+    draft: drivesAlone(question.of) ? { ...byHits, ...hurried } : teamDraft,
   };
   return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
@@ -131,9 +132,9 @@ export function keptBeforeRequest(question: Question): PlanRequest {
   return { mission, options: { ...options, ...unproven } };
 }
 
-// Whether that does for a draft.
+// Whether that does for a draft. What an aircraft can fly to depends on where it starts.
 export function canKeep({ method, of }: Question): boolean {
-  return method === "exact" && drivesAlone(of.agents);
+  return method === "exact" && drivesAlone(of) && !limitsFlights(of.agents);
 }
 
 export function draftBeforeRequest(question: Question): PlanRequest {
@@ -141,7 +142,12 @@ export function draftBeforeRequest(question: Question): PlanRequest {
   return request({ ...question, options }, "draft", { removals: 0 });
 }
 
-// With what the mission would lose without each removal.
+// Whether there is anything to explain: what is removed, or what is not because it is too far.
+export function hasReasons({ of, removals }: Question, plan: Plan): boolean {
+  return plan.removed.length > 0 || (limitsFlights(of.agents) && removals !== "auto" && removals > 0);
+}
+
+// With what the mission would lose without each removal, and what no aircraft can fly to.
 export function explainRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, explain: true });
 }
@@ -152,7 +158,7 @@ export function stepRequest(question: Question, removals: number): PlanRequest {
 }
 
 function stepLimit(question: Question): number {
-  return drivesAlone(question.of.agents) ? patient : quick;
+  return drivesAlone(question.of) ? patient : quick;
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.

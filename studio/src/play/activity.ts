@@ -40,6 +40,7 @@ export function lanes(plan: Plan): Lane[] {
 }
 
 function spans(agent: Agent): Span[] {
+  if (agent.reached === false) return [];
   const found: Span[] = [];
   let at = agent.path[0]?.[2] ?? 0;
   const move = (until: number): void => {

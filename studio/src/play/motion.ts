@@ -68,8 +68,9 @@ export function partOf(agent: Pick<Agent, "path">, from: number, until: number):
   return [...ends[0]!, ...path.filter(([, , t]) => from < t && t < until).map(([x, y]): Point => [x, y]), ...ends[1]!];
 }
 
-// Stops on the way, each whole even where the path has points within it.
+// Stops on the way, each whole even where the path has points within it. Who is not reached is on no way.
 export function waits(agent: Agent): Wait[] {
+  if (agent.reached === false) return [];
   const found: Wait[] = [];
   for (let i = 0; i + 1 < agent.path.length; ++i) {
     const [x, y, from] = agent.path[i]!;
@@ -87,8 +88,9 @@ export function arrival(agent: Agent): number {
   return agent.path.at(-1)?.[2] ?? 0;
 }
 
+// Who is not reached stays at its start for as long as that counts.
 export function duration(plan: Plan): number {
-  return Math.max(0, ...plan.agents.map(arrival));
+  return Math.max(0, ...plan.agents.filter(({ reached }) => reached !== false).map(arrival));
 }
 
 export function clearedAt(plan: Plan, t: number): Removed[] {

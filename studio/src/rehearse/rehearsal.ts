@@ -2,6 +2,7 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { type CheckReport, type Client, ServiceError } from "../api/client";
 import type { RevisionAnswer } from "../api/documents";
+import type { AgentDocument } from "../domain/agent_document";
 import type { Cell, Point } from "../domain/geometry";
 import { objectiveOf, type Plan, type TimedPoint, valueOf } from "../domain/plan";
 import type { Rehearsed } from "../domain/rehearsed";
@@ -187,9 +188,20 @@ function drivenIn(plan: Plan, news: News): ReadonlyMap<string, TimedPoint[]> {
   return new Map([...retimed(plan, news.agent, news.at, news.by)].map(([id, stops]) => [id, pathOf(stops)]));
 }
 
-// Plans whose timing is ignored enter what still stands.
 export function isRehearsable(plan: Plan | null): boolean {
-  return plan !== null && plan.status === "solved" && plan.agents.length > 0 && plan.options.timing !== "ignore";
+  return plan !== null && plan.status === "solved" && plan.agents.length > 0 && whyNotRehearsed(plan) === null;
+}
+
+// What cannot be planned anew on its way, in words; null where all of it can.
+export function whyNotRehearsed({ options, mission }: Plan): string | null {
+  const agents = (mission?.agents ?? []) as AgentDocument[];
+  if (options.timing === "ignore") return "Plans whose timing is ignored cannot be rehearsed: they enter what still stands.";
+  if (agents.some(({ range, endurance }) => range !== undefined || endurance !== undefined)) {
+    const remedy = "To rehearse this one, leave range and endurance empty.";
+    return `Missions of aircraft whose battery ends cannot be rehearsed yet. ${remedy}`;
+  }
+  if (mission?.rules?.collisions === false) return "Missions whose vehicles pass through each other cannot be rehearsed.";
+  return null;
 }
 
 function rehearsedOf(steps: readonly Step[]): Rehearsed | null {

@@ -2,6 +2,7 @@
 import { expect, it } from "vitest";
 import { changed } from "../../src/domain/agents";
 import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
+import type { Plan } from "../../src/domain/plan";
 import { zoneCollection } from "../../src/domain/zone";
 import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
@@ -237,14 +238,11 @@ it("a mission file says what is left out of it", () => {
   expect(open({ overlays: [{ file: "flood.geojson", as: "water", width: 8 }] }).leftOut).toEqual([
     "the overlay flood.geojson: drop that file on the page, and lay it over the map as water",
   ]);
-  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1, weight: 40 }, { ...agents[1], ready_at: 3, range: 900, reserve: 0.2 }];
+  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1, weight: 40 }, { ...agents[1], ready_at: 3 }];
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
-    "weights of agents",
     "breaches of vehicles beside others",
-    "range of aircraft",
-    "reserve of aircraft",
   ]);
 });
 
@@ -293,6 +291,54 @@ it("a mission file of a team opens with all that it says, and is saved so", () =
   const saved = JSON.parse(missionFile(found.mission, tenWide, 3)) as Record<string, unknown>;
   expect(saved).toMatchObject({ agents, rules, method: { select: "exact" } });
   expect(Object.keys(saved.page as object)).toEqual(["map", "cell_size"]);
+});
+
+it("a mission file keeps the batteries of aircraft, in metres and seconds on the page", () => {
+  const agents = [
+    { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1 },
+    { id: "drone", kind: "air", start: [1, 2], goal: [1, 2], speed: 5, range: 450, endurance: 90, reserve: 0.2 },
+    { id: "heli", kind: "air", start: [9, 9], goal: [3, 4], speed: 10 },
+  ];
+  const found = missionIn(JSON.stringify({ format: "waybreaker-mission/1", time_unit: "s", agents }))!;
+  expect([found.complaints, found.leftOut]).toEqual([[], []]);
+  expect(found.mission.agents.slice(1)).toMatchObject([
+    { id: "drone", range: 900, endurance: 90, reserve: 0.2 },
+    { id: "heli", range: null, endurance: null, reserve: 0 },
+  ]);
+  const saved = JSON.parse(missionFile(found.mission, tenWide, 3)) as { agents: object[] };
+  expect(saved.agents[1]).toMatchObject({ range: 450, endurance: 90, reserve: 0.2 });
+  expect(Object.keys(saved.agents[2]!)).toEqual(["id", "kind", "start", "goal", "speed"]);
+  const kept = changed(found.mission.agents, 1, { range: null, endurance: null }); // of what never ends nothing is kept
+  expect((JSON.parse(missionFile({ ...found.mission, agents: kept }, tenWide, 3)) as typeof saved).agents[1]).not.toHaveProperty("reserve");
+  const wrong = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents: [agents[0], { ...agents[1], range: -1 }] }))!;
+  expect(wrong.complaints).toHaveLength(1);
+});
+
+it("a mission file of many places keeps its rules and weights", () => {
+  const agents = [
+    { id: "school", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1, weight: 180 },
+    { id: "mill", kind: "ground", start: [1, 2], goal: [6, 4], speed: 1 },
+    { id: "air", kind: "air", start: [1, 2], goal: [1, 2], speed: 1, weight: 0 },
+  ];
+  const rules = { removals: 3, objective: "flowtime", collisions: false, unreached: 310 };
+  const found = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules }))!;
+  expect([found.complaints, found.leftOut]).toEqual([[], []]);
+  expect(found.mission).toMatchObject({ collisions: false, unreached: 620, objective: "flowtime" }); // cells of 2 m, at 1 m/s
+  expect(found.mission.agents.map(({ weight }) => weight)).toEqual([180, 1, 0]);
+  const back = JSON.parse(missionFile(found.mission, tenWide, 3)) as { agents: object[]; rules: object };
+  expect(back.rules).toMatchObject({ collisions: false, unreached: 620, separation: 0 });
+  expect(back.agents.map((agent) => ("weight" in agent ? agent.weight : 1))).toEqual([180, 1, 0]);
+  const apart = JSON.parse(missionFile({ ...found.mission, collisions: true }, tenWide, 3)) as typeof back;
+  expect(apart.rules).not.toHaveProperty("collisions"); // nor what is for those that pass alone
+  expect(apart.rules).not.toHaveProperty("unreached");
+  expect(missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules: { collisions: "maybe" } }))!.complaints).toHaveLength(1);
+
+  const plan = { ...planOf({ after: 9, options: { objective: "flowtime" } }), mission: { time_unit: "s", agents, rules } };
+  plan.map.cell_size = 2;
+  plan.after.routes = [];
+  plan.agents = agents.map((agent) => ({ ...plan.agents[0]!, ...agent }) as Plan["agents"][number]);
+  expect(missionOfPlan(plan, "m")).toMatchObject({ collisions: false, unreached: 310, agents: [{ weight: 180 }, { weight: 1 }, { weight: 0 }] });
+  expect(leftOutOfPlan(plan)).toEqual([]);
 });
 
 it("a mission file of former versions, a link line by line, still opens", () => {

@@ -17,6 +17,8 @@ function randomRuns(random: Random): Run[] {
   return union(runs, []);
 }
 
+const noBattery = { range: null, endurance: null, reserve: 0 };
+
 function randomAgents(random: Random, cell: () => Cell): Agents {
   const isPair = random.chance(0.5);
   const named = (usual: string) => (random.chance(0.3) ? random.oneOf([`${usual},~%é& `, "truck " + usual]) : usual);
@@ -30,6 +32,7 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     radius: random.oneOf([0.5, 0, 1.5]),
     readyAt: random.oneOf([0, 0, 12.5]),
     breaches: 0,
+    weight: random.oneOf([1, 1, 1, 180.5]),
   }));
   const aircraft = Array.from({ length: isPair ? 1 : random.below(3) }, (_, i): MissionAgent => ({
     kind: "air",
@@ -38,6 +41,8 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     goal: random.chance(0.5) ? cell() : null,
     speed: random.oneOf([1, 10, 1 / 3]),
     breaches: random.oneOf([null, 0, 3]),
+    ...random.oneOf([noBattery, noBattery, { ...noBattery, range: 900.5 }, { range: 1e4, endurance: 90, reserve: 0.2 }]),
+    weight: random.oneOf([1, 1, 1, 0]),
   }));
   const agents = [...vehicles, ...aircraft];
   return agents.length === 1 ? changed(agents, 0, { breaches: random.below(4) }) : agents;
@@ -63,16 +68,20 @@ export function randomMission(random: Random): Mission {
   ]);
   const layers: LayerName[] = (["before", "after", "paper"] as const).filter(() => random.chance(0.6));
   const agents = randomAgents(random, cell);
+  const collisions = random.chance(0.7);
+  const unreached = collisions ? null : random.oneOf([null, 4809.6]);
   return {
     map: random.oneOf(["berlin-mitte.tif", "a b&c=d.map", "Größe-1.map"]),
     agents,
     removals: random.oneOf([0, 1, 2, 8, "auto"] as const),
     price: random.oneOf([10, 0, 0.5]),
-    method: hasPaperMethod(agents) ? random.oneOf(["exact", "paper"] as const) : "exact",
+    method: hasPaperMethod({ agents, unreached }) ? random.oneOf(["exact", "paper"] as const) : "exact",
     objective: random.oneOf(["makespan", "ground-makespan", "flowtime"] as const),
     breachTime: random.oneOf([0, 12.5]),
     breachTimePerCell: random.oneOf([0, 0.0144]),
-    separation: random.oneOf([0, 0.25]),
+    separation: collisions ? random.oneOf([0, 0.25]) : 0,
+    collisions,
+    unreached,
     atGoal: random.oneOf(["stay", "leave"] as const),
     marks: new Map(marks),
     protectAll: random.chance(0.3) ? [{ key: "*", values: [] }, { key: "name", values: ["b=%c", "St. Mary’s & Co*"] }] : [],

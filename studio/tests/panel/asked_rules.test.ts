@@ -17,6 +17,7 @@ describe("the rules that were asked for", () => {
     expect(askedRules(planOf({}, { minimise_demolition: 0.05, force: [4] }))).toBe(
       "the least demolition within 5 % of the best plan; 1 obstacle to be removed",
     );
+    expect(askedRules(planOf({}, { collisions: false }))).toBe("vehicles pass through each other");
     expect(askedRules(planOf({}, { minimise_demolition: 0 }))).toBe("of the best plans the one that demolishes least");
   });
 });

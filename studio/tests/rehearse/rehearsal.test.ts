@@ -7,7 +7,7 @@ import type { Rehearsed } from "../../src/domain/rehearsed";
 import { unitsOf } from "../../src/domain/units";
 import { Clock } from "../../src/play/clock";
 import { failureOf, type News } from "../../src/rehearse/news";
-import { isRehearsable, Rehearsal } from "../../src/rehearse/rehearsal";
+import { isRehearsable, Rehearsal, whyNotRehearsed } from "../../src/rehearse/rehearsal";
 import { stepWords, sumWords } from "../../src/rehearse/words";
 import { roundTheWall, yard } from "./yard";
 
@@ -167,6 +167,12 @@ it("is of plans that can be revised", () => {
   expect(isRehearsable(null)).toBe(false);
   expect(isRehearsable({ ...yard(), status: "no_plan", agents: [] })).toBe(false);
   expect(isRehearsable({ ...yard(), options: { timing: "ignore" } })).toBe(false);
+  expect(whyNotRehearsed(yard())).toBeNull();
+  const limited = { ...yard(), mission: { agents: [{ id: "ground" }, { id: "air", endurance: 900 }] } };
+  expect(isRehearsable(limited)).toBe(false);
+  expect(whyNotRehearsed(limited)).toContain("battery ends cannot be rehearsed yet");
+  const passing = { ...yard(), mission: { agents: [], rules: { collisions: false } } };
+  expect(whyNotRehearsed(passing)).toContain("pass through each other");
 });
 
 it("lets a breach fail that is still to be made", () => {

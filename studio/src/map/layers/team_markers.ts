@@ -6,6 +6,7 @@ import type { Scene } from "../../domain/scene";
 import { type Frame, typeface } from "../viewport/frame";
 import { colourOf } from "../viewport/theme";
 import { drawLeader } from "./leader";
+import { drawPlaceBadge } from "./place_badges";
 import { dotRadius, halo, nameHeight, type Spot } from "./marker_spots";
 
 const font = `700 12px ${typeface}`;
@@ -32,6 +33,7 @@ export function drawTeamMarkers(frame: Frame, scene: Scene, all: readonly Spot[]
   for (const spot of [...seen].sort((a, b) => Number(isFirst(a)) - Number(isFirst(b)))) {
     if (isNamed(spot)) drawPill(frame, grown(spot.box, -halo), spot, colour(spot));
     if (isFirst(spot)) drawRing(frame, grown(spot.box, -halo));
+    drawPlaceBadge(frame, scene, spot);
   }
   context.globalAlpha = 1;
 }

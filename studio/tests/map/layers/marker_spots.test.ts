@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Agents, changed, joined, pair, usualVehicle } from "../../../src/domain/agents";
+import { type Agents, changed, joined, pair, usualAircraft, usualVehicle } from "../../../src/domain/agents";
 import { overlap, type Point } from "../../../src/domain/geometry";
 import { beside, Boxes } from "../../../src/map/layers/free_places";
 import { halo, keptClear, type Spot, spotAt, spots } from "../../../src/map/layers/marker_spots";
@@ -30,7 +30,7 @@ describe("markers", () => {
 
   it("of a team that stand at one place can all be met", () => {
     let agents = pair([10, 10], [60, 60]);
-    for (const id of ["air2", "air3"]) agents = joined(agents, { kind: "air", id, start: null, goal: null, speed: 1, breaches: null });
+    for (const id of ["air2", "air3"]) agents = joined(agents, { kind: "air", id, ...usualAircraft });
     for (const { agent, handle, at: point } of spots(agents, toPixels)) expect(at(agents, point)).toBe(`${agent.id} ${handle.end}`);
   });
 
@@ -45,7 +45,7 @@ describe("markers", () => {
       for (let i = 0; i < more; ++i) {
         const own = { start: random() < 0.5 ? null : cell(), goal: random() < 0.5 ? null : cell() };
         const id = `agent${upTo(1000)}`.slice(0, 1 + upTo(8)) + i;
-        const air = { kind: "air", id, ...own, speed: 1, breaches: null } as const;
+        const air = { kind: "air", id, ...usualAircraft, ...own } as const;
         agents = joined(agents, random() < 0.5 ? air : { ...usualVehicle, kind: "ground", id, start: cell(), goal: cell() });
       }
       const all = spots(agents, toPixels);
@@ -61,7 +61,7 @@ describe("markers", () => {
   it("of a vehicle that starts beside another are not hidden by the aircraft of that one", () => {
     let agents = pair([10, 10], [60, 10]);
     agents = joined(agents, { ...usualVehicle, kind: "ground", id: "2", start: [11, 8], goal: [59, 8] });
-    agents = joined(agents, { kind: "air", id: "air2", start: null, goal: null, speed: 1, breaches: null });
+    agents = joined(agents, { kind: "air", id: "air2", ...usualAircraft });
     const all = spots(agents, toPixels);
     expect(pairsOf(all).filter(([a, b]) => overlap(a.box, b.box))).toEqual([]);
     const first = all.find(({ agent, handle }) => agent.id === "1" && handle.end === "start")!;

@@ -1,0 +1,96 @@
+// How far aircraft can fly, in words: what they land with, and what is too far for them.
+import type { AgentDocument } from "../domain/agent_document";
+import type { Agent, OutOfRange, Plan } from "../domain/plan";
+import { duration, length, percent, type Units } from "../domain/units";
+import { arrival } from "../play/motion";
+import { nameOf } from "../play/story";
+
+// As the plan's mission says them.
+function batteryIn({ mission }: Plan, id: string): Partial<AgentDocument> {
+  return ((mission?.agents ?? []) as AgentDocument[]).find((agent) => agent.id === id) ?? {};
+}
+
+// “lands with 225 m of 1000 m left; 20 % are to be in reserve”; null where the battery has no end.
+export function landing(plan: Plan, agent: Agent, units: Units): string | null {
+  const { range, endurance, reserve = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
+  const flown = arrival(agent) - readyAt;
+  const left = (all: number, gone: number, text: typeof length) =>
+    `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
+  const parts = [
+    ...(range === undefined ? [] : [left(range, flown * agent.speed, length)]),
+    ...(endurance === undefined ? [] : [left(endurance, flown, duration)]),
+  ];
+  if (agent.kind === "ground" || parts.length === 0) return null;
+  return `lands with ${parts.join(" and ")} left${reserve > 0 ? `; ${percent(reserve)} are to be in reserve` : ""}`;
+}
+
+// What is out of range of one aircraft.
+export interface TooFar {
+  can: string; // “the aircraft can fly 800 m with 20 % in reserve”
+  obstacles: { id: number; needs: string }[]; // “there and back is 880 m”
+}
+
+export function tooFar(plan: Plan, units: Units): TooFar[] {
+  const byAgent = new Map<string, OutOfRange[]>();
+  for (const one of plan.out_of_range ?? []) byAgent.set(one.agent, [...(byAgent.get(one.agent) ?? []), one]);
+  return [...byAgent].flatMap(([id, obstacles]) => {
+    const agent = plan.agents.find((one) => one.id === id);
+    if (!agent) return [];
+    const { range = Infinity, endurance = Infinity, reserve = 0 } = batteryIn(plan, id);
+    const byRange = range / agent.speed <= endurance;
+    const [size, longest] = [byRange ? agent.speed : 1, obstacles[0]!.longest];
+    const limit = { id, byRange, longest: longest * size, reserve };
+    const told = obstacles.map((one) => ({ id: one.obstacle, needs: needs(limit, one.flight * size, units) }));
+    return [{ can: can(limit, units), obstacles: told }];
+  });
+}
+
+// The same of one obstacle, in a sentence; null where it is not out of range.
+export function whyTooFar(plan: Plan, obstacle: number, units: Units): string | null {
+  for (const { can: longest, obstacles } of tooFar(plan, units)) {
+    const found = obstacles.find(({ id }) => id === obstacle);
+    if (found) return `Out of range: ${longest}; ${found.needs}.`;
+  }
+  return null;
+}
+
+interface Limit {
+  id: string;
+  byRange: boolean; // or by time
+  longest: number; // cells, or units of time
+  reserve: number;
+}
+
+function can({ id, byRange, longest, reserve }: Limit, units: Units): string {
+  const kept = reserve > 0 ? ` with ${percent(reserve)} in reserve` : "";
+  const far = byRange ? length(longest, units) : `for ${duration(longest, units)}`;
+  return `${nameOf({ id, kind: "air" })} can fly ${far}${kept}`;
+}
+
+function needs({ byRange, longest }: Limit, flight: number, units: Units, way = "there and back"): string {
+  const text = (value: number) => (byRange ? length(value, units) : duration(value, units, true));
+  const figure = text(flight) === text(longest) ? "a little more" : text(flight);
+  return `${way} ${byRange ? "is" : "takes"} ${figure}`;
+}
+
+const refusal = new RegExp(
+  [
+    /^(?:obstacle (\d+) must be removed, but )?/,
+    /the (.+) agent can fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?/,
+    /; .+ (?:is|takes) (\S+?)\.?$/,
+  ]
+    .map(({ source }) => source)
+    .join(""),
+  "i",
+);
+
+// What the planner says of flights that are too long, in the page's units and words; other messages as they are.
+export function refusalWords(message: string, units: Units, obstacleName: (id: number) => string): string {
+  const [, forced, id, byTime, longest, reserve, flight] = refusal.exec(message) ?? [];
+  if (id === undefined) return message;
+  const limit = { id, byRange: !byTime, longest: Number(longest), reserve: Number(reserve ?? 0) / 100 };
+  const way = forced ? "there and back" : "from its start to its goal it";
+  const flies = `${can(limit, units)}; ${needs(limit, Number(flight), units, way)}.`;
+  const whole = forced ? `${obstacleName(Number(forced))} must be removed, but ${flies}` : flies;
+  return whole.charAt(0).toUpperCase() + whole.slice(1);
+}
