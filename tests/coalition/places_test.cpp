@@ -122,7 +122,6 @@ TEST(Places, LeaveWhoCannotBeReached) {
     EXPECT_NEAR(*opened.after.flowtime, 2 + 3 * std::hypot(4, 2), 1e-9);
 }
 
-// The opening goes to those who count for more, though the others are more.
 TEST(Places, HaveNoFiguresWhereALimitCameFirst) {
     const Map map = map_from_ascii(R"(
         ..b..
@@ -140,6 +139,7 @@ TEST(Places, HaveNoFiguresWhereALimitCameFirst) {
     EXPECT_FALSE(plan.bound);
 }
 
+// The opening goes to those who count for more, though the others are more.
 TEST(Places, OpenForTheWeight) {
     const char* const picture = R"(
         aaa.bbb
