@@ -76,6 +76,7 @@ it("opens with its rules, is planned as by the command, and says which places ar
   await passes.focus();
   await page.keyboard.press("Space");
   await page.getByRole("heading", { name: "This mission cannot be planned" }).waitFor(); // all start at one place
+  expect(await page.getByText("is being worked out").count()).toBe(0);
   await page.keyboard.press("Control+z");
   await studio.result().getByText("2 of 3 places are reached, 1 only now. Not reached: yard.").first().waitFor();
   await page.getByLabel("A place not reached counts as").fill("");

@@ -74,7 +74,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   if (!front || !mission) {
     return (
       <div ref={box} class="front-chart empty">
-        <p>What each number reaches is being worked out…</p>
+        {!page.results.failure.value && <p>What each number reaches is being worked out…</p>}
       </div>
     );
   }
