@@ -174,26 +174,33 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
     std::vector<std::uint32_t> hits;
-    const auto choose = [&](const Method& how, bool instead) {
+    // `listed`: of a list only as much as is best.
+    const auto choose = [&](const Method& how, bool listed) {
         if (how.select == Selection::hits) hits = hits_of_team(map, mission, how, interrupts, searcher);
         coalition::Choice choice = choice_of(map, mission, how, hits);
-        // In place of another choice, as much of a list as is best.
-        if (instead && choice.selecting == coalition::Selecting::as_list)
+        if (listed && choice.selecting == coalition::Selecting::as_list)
             choice.selecting = coalition::Selecting::listed;
         if (evaluated != nullptr) choice.share = evaluated->share;
         return coalition::plan_coalition(map, mission, choice, fewer, interrupts, crossing, searcher, tell);
     };
     coalition::CoalitionPlan made = choose(method, false);
     // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
-    for (const Selection select : {Selection::greedy, Selection::hits}) {
-        const bool lets_past = made.status == SearchStatus::found && !made.missed;
+    struct Other {
+        Selection select;
+        bool listed;
+    };
+    for (const auto [select, listed] :
+         {Other{Selection::greedy, true}, Other{Selection::hits, true}, Other{Selection::hits, false}}) {
+        const bool found_any = made.status == SearchStatus::found;
+        const bool lets_past = found_any && !made.missed;
         if (method.select != Selection::exact || lets_past || made.status == SearchStatus::no_path || interrupts.due())
             break;
         if (select == Selection::greedy && !moves_greedily(mission, method)) continue;
+        if (!listed && (found_any || mission.rules.timing != Timing::ignore)) break;
         Method other = method;
         other.select = select;
         other.bound = false;
-        coalition::CoalitionPlan found = choose(other, true);
+        coalition::CoalitionPlan found = choose(other, listed);
         if (found.status != SearchStatus::found || found.objective >= made.objective) continue;
         found.bound = std::min(made.bound, found.objective);
         found.proven = made.proven;

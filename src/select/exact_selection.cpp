@@ -91,11 +91,7 @@ void ExactSelection::prove_relaxed(double share, double expected, std::uint64_t 
 void ExactSelection::select() {
     if (task_.spare_removals() > 0) {
         propose_sets();
-        const auto is_far = [&] { return best_ > bound() * (1 + tuning::worth_searching) && !deadline_.passed(); };
-        if (passes_more_than_square() && !of_fewer_ && is_far()) {
-            try_most_hit();
-            if (is_far()) try_greedy();
-        }
+        if (passes_more_than_square()) propose_simple_sets();
     }
     if (best_ > bound() * (1 + tuning::worth_stepping) && !is_good_enough() && !bound_.by_steps) {
         try_steps(deadline_.left());
@@ -113,6 +109,8 @@ void ExactSelection::propose_sets() {
     // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
     try_relaxed();
     if (is_good_enough()) return;
+    // Where the proof does not end, the search for the square's best set hardly does: what is found soon comes first.
+    if (bound_.limited && drives_by_crossing(task_)) propose_simple_sets();
     if (opening_times_.matter() && is_above_bound(tuning::worth_searching)) try_priced();
     const CrossingResult first = square_ ? *square_ : try_square();
     raise_bound_by_square(first);
@@ -126,6 +124,13 @@ void ExactSelection::propose_sets() {
     }
     if (first.status != SearchStatus::found || !beats_best(first.best)) return;
     if (!try_others(first)) try_fewer();
+}
+
+void ExactSelection::propose_simple_sets() {
+    const auto is_far = [&] { return best_ > bound() * (1 + tuning::worth_searching) && !deadline_.passed(); };
+    if (of_fewer_ || !is_far()) return;
+    try_most_hit();
+    if (is_far()) try_greedy();
 }
 
 void ExactSelection::propose_likely_sets() {
@@ -193,7 +198,8 @@ void ExactSelection::try_most_hit() {
 }
 
 void ExactSelection::try_greedy() {
-    for (const GreedyStep& step : greedy_steps(task_, searchers_.crossing)) add(step.removed);
+    const Task limited = task_.within(tuning::share_of_greedy);
+    for (const GreedyStep& step : greedy_steps(limited, searchers_.crossing)) add(step.removed);
 }
 
 void ExactSelection::try_steps(double seconds) {

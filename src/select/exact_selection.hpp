@@ -42,6 +42,7 @@ class ExactSelection {
     void prove_relaxed(double share, double expected, std::uint64_t expansions);
     void select();
     void propose_sets();
+    void propose_simple_sets();
     void propose_likely_sets();
 
     // Proposers, each with its set or sets. docs/exact.md says when and how long.

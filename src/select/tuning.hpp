@@ -11,6 +11,7 @@ inline constexpr double share_of_proof = 0.8;    // the rest is for sets that ar
 inline constexpr double share_of_relaxed = 0.5;  // of the proof's time, for the relaxed body; the square comes after it
 inline constexpr double share_at_once = 0.3;     // where obstacles open late: for what is proven as if they did not
 inline constexpr double share_of_weighted = 0.8;
+inline constexpr double share_of_greedy = 0.5;
 inline constexpr double share_of_budget = 0.5;  // least demolition: for each budget of cells
 // Seconds: with less a weighted search comes before a long proof, so that there is a good plan soon.
 inline constexpr double short_time = 0.5;

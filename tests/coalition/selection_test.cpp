@@ -70,6 +70,27 @@ RC_GTEST_PROP(Selections, AreNoBetterThanWhatIsProven, ()) {
     }
 }
 
+// Nobody gains by the wall alone, but one has to step aside into it for the other; when it opens is ignored.
+TEST(Selections, LetVehiclesPastEachOtherWhereNothingIsGained) {
+    const Map map = map_from_ascii(R"(
+        aa
+        a.
+        a.
+        ..)");
+    Mission mission{{vehicle("up", {1, 3}, {1, 1}), vehicle("down", {1, 1}, {1, 2}), aircraft("air", {0, 0})}};
+    mission.agents[0].body.radius = 0;
+    mission.agents[1].body.radius = 0.2;
+    mission.rules.removals = 1;
+    mission.rules.timing = Timing::ignore;
+    for (const Selection select : {Selection::hits, Selection::exact}) {
+        Method method;
+        method.select = select;
+        const Plan plan = Planner().plan(map, mission, method);
+        EXPECT_EQ(plan.status, PlanStatus::solved);
+        EXPECT_EQ(plan.breaches.size(), 1U);
+    }
+}
+
 // Each set that fewer removals allow is one of those that more allow.
 RC_GTEST_PROP(Selections, AreNoWorseWithMoreRemovals, ()) {
     const PlainMap plain = *random_map(16, 16);

@@ -241,6 +241,22 @@ TEST(ExactChoice, OpensWhatIsMostInTheWayWhenOutOfTime) {
     EXPECT_DOUBLE_EQ(plan.bound.value(), 6);  // the straight line
 }
 
+// The search that would prove it ends before it has seen any way.
+TEST(ExactChoice, OpensWhatIsHitMostWhereTheProofIsCut) {
+    const Map map = map_from_ascii(R"(
+        ........
+        a.b.....
+        ....c...
+        d..cc.e.
+        .....f..)");
+    Mission mission = ground_and_air({6, 4}, {0, 0});
+    mission.rules.removals = 2;
+    const Plan plan = Planner().plan(map, mission, {}, {.expansions = 5});
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(plan.limit_reached);
+}
+
 // A point slips between all these cells, a disc does not: the square's path proves more.
 TEST(ExactSelection, BoundsTheDiscWhereAPointSlipsThrough) {
     const Map map = map_from_ascii(R"(
