@@ -128,7 +128,8 @@ void ExactSelection::propose_sets() {
 
 void ExactSelection::propose_simple_sets() {
     const auto is_far = [&] { return best_ > bound() * (1 + tuning::worth_searching) && !deadline_.passed(); };
-    if (of_fewer_ || !is_far()) return;
+    if (of_fewer_ || simple_proposed_ || !is_far()) return;
+    simple_proposed_ = true;
     try_most_hit();
     if (is_far()) try_greedy();
 }

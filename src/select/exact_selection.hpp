@@ -93,6 +93,7 @@ class ExactSelection {
     Stopwatch since_last_;                  // set
     double best_;                           // objective to be beaten
     bool of_fewer_ = false;                 // part of a selection with more removals
+    bool simple_proposed_ = false;
 };
 
 }  // namespace waybreaker
