@@ -37,7 +37,7 @@ class ZoneCheck {
                 const auto in_range = [](double value) { return std::abs(value) <= most_zone_coordinate; };
                 if (!in_range(p.x) || !in_range(p.y))
                     refuse("has a corner at " + number_text(p.x) + "," + number_text(p.y) + ", farther than " +
-                           number_text(most_zone_coordinate) + " cells away");
+                           number_text(most_zone_coordinate) + " cells away; is it for this map?");
             }
         }
         const Shape shape = zones::shape_of(zone_);

@@ -32,7 +32,7 @@ TEST(Zone, HasAPolygonOfThreeCornersOrMore) {
     unnamed.name.clear();
     EXPECT_EQ(fault_of(unnamed), "zone 3 has a polygon of fewer than three corners");
     EXPECT_EQ(fault_of(zone_of({{{0, 0}, {4, 0}, {4, 1e9}}})),
-              "the zone 'harbour' has a corner at 4,1e+09, farther than 65536 cells away");
+              "the zone 'harbour' has a corner at 4,1e+09, farther than 65536 cells away; is it for this map?");
     EXPECT_NE(fault_of(zone_of({{{0, 0}, {4, 0}, {std::nan(""), 4}}})), "");
 }
 
