@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -42,6 +41,7 @@ Draft SortiePlanner::plan(Set set, const Set& kept, double worth, std::uint64_t 
 void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
     const Set set = draft.set;
     if (set.size() > tuning::most_targets_in_all_orders || could_cost(draft) >= worth) return;
+    Draft best = draft;
     Sorties sorties(problem_.aircraft().size());
     const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;
@@ -53,6 +53,8 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
                 prepare(set);
                 fill(eager);
             }
+            rank(eager);
+            if (team::better(eager.cost, best.cost)) best = std::move(eager);
             return;
         }
         for (std::size_t a = first; a < sorties.size(); ++a) {
@@ -72,8 +74,8 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
         }
     };
     give(give, 0, 0);
-    Draft again = best_for(set);
-    if (team::better(again.cost, draft.cost)) draft = std::move(again);
+    draft = best_for(set);
+    if (team::better(best.cost, draft.cost)) draft = std::move(best);
 }
 
 // With no vehicle waiting for any of the set, at least.
@@ -160,16 +162,23 @@ Draft SortiePlanner::best_for(const Set& set) {
     prepare(set);
     Draft best;
     best.set = set;
-    const std::function<bool()> due = [this] { return problem_.interrupts().due(); };
-    const SortieSearch search(problem_.aircraft(), targets_, precedence_, problem_.rules().objective, due);
-    std::optional<Sorties> sorties = search.find(by_need());
+    std::optional<Sorties> sorties = search().find(by_need());
     if (!sorties) return best;
-    const Rank reached = search.rank_of(*sorties);
-    if (std::isinf(reached.first)) return best;
-    best.cost = {0, reached.first, reached.second};
     best.sorties = std::move(*sorties);
-    fill(best);
+    if (rank(best)) fill(best);
     return best;
+}
+
+SortieSearch SortiePlanner::search() const {
+    return {problem_.aircraft(), targets_, precedence_, problem_.rules().objective, due_};
+}
+
+// What the flights of a draft cost. Whether they end.
+bool SortiePlanner::rank(Draft& draft) const {
+    const Rank reached = search().rank_of(draft.sorties);
+    if (std::isinf(reached.first)) return false;
+    draft.cost = {0, reached.first, reached.second};
+    return true;
 }
 
 // Of a set in time: when its obstacles are gone, and which ways vehicles take.

@@ -5,6 +5,7 @@
 // arrives first then.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "coalition/ways.hpp"
@@ -27,7 +28,7 @@ class SortiePlanner {
   public:
     // All arguments must outlive it.
     SortiePlanner(const Problem& problem, Ways& ways, Workers& workers)
-        : problem_(problem), ways_(ways), workers_(workers) {}
+        : problem_(problem), ways_(ways), workers_(workers), due_([&problem] { return problem.interrupts().due(); }) {}
 
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
@@ -40,6 +41,8 @@ class SortiePlanner {
     void prepare(const Set& set);
     void search_ways(const Set& set);
     Draft best_for(const Set& set);
+    SortieSearch search() const;
+    bool rank(Draft& draft) const;
     void fill(Draft& draft) const;
     double could_cost(const Draft& draft) const;
     void try_all_orders(Draft& draft, double worth, std::uint64_t enough);
@@ -49,6 +52,7 @@ class SortiePlanner {
     const Problem& problem_;
     Ways& ways_;
     Workers& workers_;
+    std::function<bool()> due_;  // whether time is over
     std::vector<Target> targets_;
     std::size_t flown_ = 0;                       // targets that do not open by themselves
     std::vector<std::vector<const Way*>> menus_;  // by vehicle

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "any_coalition.hpp"
@@ -266,6 +267,31 @@ RC_GTEST_PROP(Coalition, CurveNeverGoesUp, ()) {
         RC_ASSERT(*value(front[n].after, mission.rules.objective) <=
                   *value(front[n - 1].after, mission.rules.objective));
     }
+}
+
+// The first aircraft is the nearest to an obstacle that another one has to breach.
+TEST(Coalition, GivesAFewBreachesToTheRightAircraft) {
+    const Map map = map_from_ascii(R"(
+        ......#.#..#.#.##..#...#.
+        .#..##...##.....##.....##
+        .###.#....#..###..##....#
+        .#####..#..#..###.....##.
+        .#.#.##.....##.....#.##..
+        .#.#.#..##.##.###....##..
+        ###.#..#..#.......##.#..#
+        ...#...#.....#.#..###....)");
+    Mission mission{{vehicle("v0", {24, 5}, {8, 7}), vehicle("v1", {0, 5}, {21, 2}), vehicle("v2", {6, 2}, {1, 0}),
+                     vehicle("v3", {7, 0}, {18, 5}), aircraft("a0", {22, 2}, {2, 4}), aircraft("a1", {10, 0}, {0, 2}),
+                     aircraft("a2", {24, 3}, {2, 0})}};
+    constexpr std::array speeds{1.0, 3.0, 0.5, 1.0, 2.0, 0.7, 0.7};
+    for (std::size_t i = 0; i < speeds.size(); ++i) mission.agents[i].speed = speeds[i];
+    mission.agents[1].ready_at = 2.3;
+    mission.agents[4].breaches = 1;
+    mission.rules.removals = 3;
+    mission.rules.objective = Objective::flowtime;
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    EXPECT_LT(*plan.after.flowtime, 119);  // 131 if it breaches that one
 }
 
 }  // namespace
