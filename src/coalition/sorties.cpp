@@ -53,8 +53,7 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
                 prepare(set);
                 fill(eager);
             }
-            rank(eager);
-            if (team::better(eager.cost, best.cost)) best = std::move(eager);
+            if (rank(eager) && team::better(eager.cost, best.cost)) best = std::move(eager);
             return;
         }
         for (std::size_t a = first; a < sorties.size(); ++a) {

@@ -124,6 +124,10 @@ void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Pl
     plan.gap = bound > 0 ? reached / bound - 1 : 0;
 }
 
+std::size_t vehicles_in(const Mission& mission) {
+    return std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
+}
+
 // Routes without a length, for a plan that there is none of.
 void add_nothing(const Mission& mission, Outcome& outcome) {
     outcome.routes.clear();
@@ -176,7 +180,7 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     std::vector<std::uint32_t> hits;
     // `listed`: of a list only as much as is best.
     const auto choose = [&](const Method& how, bool listed) {
-        if (how.select == Selection::hits) hits = hits_of_team(map, mission, how, interrupts, searcher);
+        if (how.select == Selection::hits && hits.empty()) hits = hits_of_team(map, mission, how, interrupts, searcher);
         coalition::Choice choice = choice_of(map, mission, how, hits);
         if (listed && choice.selecting == coalition::Selecting::as_list)
             choice.selecting = coalition::Selecting::listed;
@@ -211,8 +215,7 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     if (method.select != Selection::hits) hits.clear();
     Plan plan;
     plan.status = plan_status(made.status);
-    const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
-    if (made.closed.size() == vehicles) {
+    if (made.closed.size() == vehicles_in(mission)) {
         add_alone(mission, made.closed, plan);
     } else {
         add_nothing(mission, plan.before);
@@ -254,10 +257,11 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
     for (const TimedOpening& opening : mission.rules.opened) opened.push_back(opening.obstacle);
     team::TeamPlan team = team::plan_team(OpenedMap(map, opened), mission, interrupts, crossing, searcher, tell);
     plan.status = plan_status(team.status);
-    const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
-    const bool all_alone =
-        mission.rules.unreached || std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
-    if (all_alone && team.vehicles.size() == vehicles) {  // a limit may come before the last has been looked at
+    // A limit may come before the last has been looked at.
+    const bool all_alone = team.vehicles.size() == vehicles_in(mission) &&
+                           (mission.rules.unreached ||
+                            std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way));
+    if (all_alone) {
         add_alone(mission, team.vehicles, plan);
     } else {
         add_nothing(mission, plan.before);

@@ -93,7 +93,7 @@ class ExactSelection {
     Stopwatch since_last_;                  // set
     double best_;                           // objective to be beaten
     bool of_fewer_ = false;                 // part of a selection with more removals
-    bool simple_proposed_ = false;
+    bool simple_proposed_ = false;          // most hit and greedy
 };
 
 }  // namespace waybreaker

@@ -6,11 +6,9 @@ import type { Frame } from "../viewport/frame";
 import type { Spot } from "./marker_spots";
 
 const size = 7; // pixels
-const shapes: Partial<Record<PlaceState, string>> = {
-  sooner: "M0 4V-4M-3.2 -0.8L0 -4L3.2 -0.8",
-  "only now": "M0 4V-4M-3.2 -0.8L0 -4L3.2 -0.8",
-  "not reached": "M-3 -3L3 3M3 -3L-3 3",
-};
+const arrow = "M0 4V-4M-3.2 -0.8L0 -4L3.2 -0.8";
+const cross = "M-3 -3L3 3M3 -3L-3 3";
+const shapes: Partial<Record<PlaceState, string>> = { sooner: arrow, "only now": arrow, "not reached": cross };
 
 export function drawPlaceBadge(frame: Frame, { reach }: Scene, { agent, handle, box, named, place }: Spot): void {
   const state = reach && handle.end === reach.end ? reach.states.get(agent.id) : undefined;
