@@ -122,8 +122,12 @@ void validate_sources_of_agents(const PlanOptions& options, const io::MapFile& m
         throw InputError("--agents and --mission both say who the agents are; drop one of them");
     }
     if (options.breaches && !options.aircraft) throw InputError("--breaches is for --aircraft N");
-    if (options.own_breaches && options.aircraft)
-        throw InputError("--own-breaches is for a ground agent without aircraft; drop --aircraft");
+    const bool flies = options.aircraft || options.air_start || options.air_goal || options.air_speed;
+    if (options.own_breaches && flies) {
+        throw InputError(
+            "--own-breaches is for a ground agent without aircraft; drop --aircraft, --air-start, --air-goal and "
+            "--air-speed");
+    }
     if (options.own_breaches && (!options.mission.empty() || lists_agents(options, map)))
         throw InputError("--own-breaches is for --start and --goal; in a mission file the agent has breaches");
 }
