@@ -147,6 +147,7 @@ export class StudioPage {
   // Texts that cannot be read while the pointer is over what they stand on: as if it were over everything at once, for axe
   // takes its time.
   async faultsWhenHovered(within: string): Promise<string[]> {
+    await this.page.locator(within).waitFor();
     const tools = await this.page.context().newCDPSession(this.page);
     await tools.send("DOM.enable");
     await tools.send("CSS.enable");

@@ -82,7 +82,7 @@ it("leaves the robot alone with what is in its way, by keyboard, and brings the 
   ];
   const pair = { ...mission, agents, rules: { removals: 3, breach_time: 20 } };
   await studio.page.getByLabel("File to open").setInputFiles(written("pair.json", pair));
-  await expect.poll(async () => (await studio.plan()).agents.length).toBe(2);
+  await expect.poll(async () => (await studio.plan()).options.removals).toBe(3);
   await studio.settled();
   await studio.page.getByRole("button", { name: "Robot alone" }).press("Enter");
   await expect.poll(async () => (await studio.plan()).removed.map(({ by }) => by)).toContain("ground");

@@ -1,6 +1,6 @@
 // The map as part of the page: the canvas, and for the keyboard a button for each marker, moved with the arrow keys.
 import type { ReadonlySignal } from "@preact/signals";
-import { useComputed, useSignalEffect } from "@preact/signals";
+import { effect, useComputed } from "@preact/signals";
 import { useEffect, useId, useRef } from "preact/hooks";
 import { type Agents, cellOf, type Handle, handlesOf, isPair } from "../domain/agents";
 import type { Cell } from "../domain/geometry";
@@ -42,17 +42,18 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       ask: (what, at) => latest.current.ask(what, at),
     });
     view.current = made;
-    if (scene.peek()) made.show(scene.peek()!);
+    // At once: an effect of the component would come a frame later, and what is drawn another one.
+    const unfollow = effect(() => {
+      if (scene.value) made.show(scene.value);
+    });
     onView?.(made);
     return () => {
+      unfollow();
       onView?.(null);
       view.current = null;
       made.destroy();
     };
   }, []);
-  useSignalEffect(() => {
-    if (scene.value) view.current?.show(scene.value);
-  });
 
   return (
     <div class="map-view">
