@@ -70,7 +70,7 @@ std::string ranges_left(const Plan& plan, const io::PlanContext& context, const 
     std::string lines;
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Agent& agent = context.asked.mission.agents[i];
-        const double flown = plan.agents[i].path.back().t - agent.ready_at;
+        const double flown = agent.flown + plan.agents[i].path.back().t - agent.ready_at;
         const auto add = [&](double all, const FlightUnit& unit) {
             const std::string reserve =
                 agent.reserve > 0 ? fmt::format(", {:.6g} % are to be in reserve", 100 * agent.reserve) : "";

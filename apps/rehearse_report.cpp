@@ -65,6 +65,12 @@ std::string counts(const RehearsalReport& report, const Rehearsal& rehearsal) {
     other(Ending::not_found, "no plan found");
     other(Ending::broken, "could not stop");
     other(Ending::stuck, "stuck");
+    if (rehearsal.on_reserve > 0)
+        text += fmt::format("landed on reserve      in {} runs ({})\n", rehearsal.on_reserve,
+                            percent(rehearsal.on_reserve / runs));
+    if (rehearsal.emptied > 0)
+        text += fmt::format("battery empty          in {} runs ({})\n", rehearsal.emptied,
+                            percent(rehearsal.emptied / runs));
     text += fmt::format("as early as planned    {}\n", percent(share_in_time(rehearsal)));
     text += fmt::format("revisions              {:.2f} a run", rehearsal.revisions);
     if (report.timing && !rehearsal.revise_ms.empty())
@@ -105,6 +111,8 @@ void add_figures(const RehearsedPlan& plan, bool timing, Json& json) {
     json["runs"] = rehearsal.runs.size();
     json["arrived"] = rehearsal.arrived;
     json["illegal"] = rehearsal.illegal;
+    json["on_reserve"] = rehearsal.on_reserve;
+    json["emptied"] = rehearsal.emptied;
     json["makespan"] = spread_json(rehearsal.planned, rehearsal.makespan);
     json["ground_makespan"] = spread_json(rehearsal.ground_planned, rehearsal.ground_makespan);
     json["as_planned"] = share_in_time(rehearsal);
@@ -156,13 +164,14 @@ std::string rehearsal_json(const RehearsalReport& report) {
 }
 
 std::string rehearsal_csv(const RehearsalReport& report) {
-    std::string text = "plan,run,ending,makespan,ground_makespan,revisions,failed,blocked,lost,illegal\n";
+    std::string text =
+        "plan,run,ending,makespan,ground_makespan,revisions,failed,blocked,lost,illegal,on_reserve,emptied\n";
     for (const RehearsedPlan& plan : report.plans) {
         for (std::size_t i = 0; i < plan.rehearsal.runs.size(); ++i) {
             const Rehearsed& run = plan.rehearsal.runs[i];
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i, to_string(run.ending),
-                                run.makespan, run.ground_makespan, run.revisions, run.failed, run.blocked, run.lost,
-                                run.illegal);
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i,
+                                to_string(run.ending), run.makespan, run.ground_makespan, run.revisions, run.failed,
+                                run.blocked, run.lost, run.illegal, run.on_reserve, run.emptied);
         }
     }
     return text;

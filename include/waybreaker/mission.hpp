@@ -86,6 +86,9 @@ struct Agent {
     double range = std::numeric_limits<double>::infinity();
     double endurance = std::numeric_limits<double>::infinity();
     double reserve = 0;
+    // How long it has been in the air by `ready_at` since its battery was full, of an air agent under way: that is gone
+    // from both.
+    double flown = 0;
     // How many obstacles in its way a ground agent may breach itself, >= 0. It stands where it touches them while it
     // does. Of a mission's only agent; then no aircraft flies.
     int own_breaches = 0;
@@ -94,10 +97,15 @@ struct Agent {
 
     // Where it is when it is ready: where its flight or drive begins.
     Point begin() const { return from.value_or(Point(start)); }
-    // How long a flight of it may take, in units of time; infinity if any time.
-    double longest_flight() const { return (1 - reserve) * (range / speed < endurance ? range / speed : endurance); }
-    // Whether it has taken off when it was ready and lands at that time: by more than rounding.
-    bool may_land_at(double time) const { return time - ready_at <= longest_flight() * (1 + 1e-9); }
+    // How long it can be in the air with a full battery, in units of time; infinity if any time.
+    double battery() const { return range / speed < endurance ? range / speed : endurance; }
+    // How long a flight of it from now on may take.
+    double longest_flight() const {
+        const double left = (1 - reserve) * battery() - flown;
+        return left > 0 ? left : 0;
+    }
+    // Whether it may take off when it is ready and land at that time, give or take rounding.
+    bool may_land_at(double time) const { return flown + (time - ready_at) <= (1 - reserve) * battery() * (1 + 1e-9); }
 };
 
 // Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.

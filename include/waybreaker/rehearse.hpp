@@ -49,7 +49,8 @@ struct RehearsalOptions {
     // cells wide. Nothing happens where its path ends before, or where the cells are a vehicle's place or a goal.
     double blocked = 0;
     double sight = 10;  // cells, least_sight to 1000
-    // The chance that an aircraft is lost: when it has flown a share of the length of its first flight, likewise.
+    // The chance that an aircraft is lost: when it has flown a share of the length of its first flight, likewise. One
+    // is lost as well when its battery is empty, reserve and all, or would be before it is home.
     double lost = 0;
     int runs = 1000;
     std::uint64_t seed = 1;
@@ -76,6 +77,8 @@ struct Rehearsed {
     int failed = 0;          // breaches
     int blocked = 0;         // streets
     int lost = 0;            // aircraft
+    int on_reserve = 0;      // landings on what was to be kept in reserve
+    int emptied = 0;         // aircraft whose battery did not bring them home
     int revisions = 0;       // plans made, whether others came out of it or not
     int illegal = 0;         // pairs of vehicles that overlapped, vehicles in what stood, agents in zones: each once
     std::string fault = {};  // the first of these, for a person
@@ -93,7 +96,9 @@ struct Spread {
 struct Rehearsal {
     std::vector<Rehearsed> runs = {};
     int arrived = 0;
-    int illegal = 0;  // runs
+    int illegal = 0;     // runs
+    int on_reserve = 0;  // runs in which an aircraft landed on its reserve
+    int emptied = 0;     // runs in which the battery of one did not bring it home
     double planned = 0;
     double ground_planned = 0;
     Spread makespan = {};

@@ -29,6 +29,8 @@ struct AgentState {
     std::optional<Point> at = {};  // where it is, in cells; empty: where the plan has it by now
     Doing doing = Doing::moving;
     std::optional<Cell> goal = {};  // it is to go there from now on
+    // How long an air agent has been in the air since its battery was full, in units of time; empty: as planned.
+    std::optional<double> flown = {};
 };
 
 struct State {

@@ -47,6 +47,8 @@ export interface AirAgent {
   endurance?: number;
   /** The share of both that is not planned with; 0. */
   reserve?: number;
+  /** Under way: how long it has been in the air by `ready_at` since its battery was full; 0. */
+  flown?: number;
 }
 
 /** An obstacle, by id, and when it opens, or its breach failed. */
@@ -253,6 +255,8 @@ export interface AgentState {
   doing?: "driving" | "waiting" | "breaching" | "stopped" | "lost";
   /** It is to go there from now on. */
   goal?: Cell;
+  /** Of an aircraft: how long it has been in the air since its battery was full; as planned. */
+  flown?: number;
 }
 
 /** What has happened to a plan by `now`, on its clock. */

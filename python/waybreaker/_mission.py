@@ -51,6 +51,7 @@ class Aircraft:
     ``start`` and ``goal`` are cells, but ``start`` may be any place between centres, ``speed`` is in cells per unit
     of time. ``ready_at``, ``approach`` and ``weight`` are as those of a vehicle. It flies at most ``range`` cells
     from start to goal, hovering counted, and for ``endurance`` units of time (None: any), less the share ``reserve``.
+    Under way it has been in the air for ``flown`` units of time by ``ready_at``, which is gone from both.
     """
 
     start: Tuple[float, float]
@@ -64,6 +65,7 @@ class Aircraft:
     range: Optional[float] = None
     endurance: Optional[float] = None
     reserve: Optional[float] = None
+    flown: Optional[float] = None
 
     @property
     def kind(self) -> Literal["air"]:

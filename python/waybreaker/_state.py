@@ -41,7 +41,8 @@ class AgentState:
     ``passed`` is the last point of its path, counted from 0, that it has left behind; ``at`` is where it is, in cells
     (None: where the plan has it by now). ``doing`` is ``"driving"`` (flying as well, and the default), ``"waiting"``,
     ``"breaching"``, ``"stopped"`` or ``"lost"``: who has stopped blocks its cells, who is lost nothing, and neither
-    takes any further part. It is to go to the cell ``goal`` from now on, if there is one.
+    takes any further part. It is to go to the cell ``goal`` from now on, if there is one. An aircraft has been in the
+    air for ``flown`` units of time since its battery was full (None: as planned).
     """
 
     id: str
@@ -49,6 +50,7 @@ class AgentState:
     at: Optional[Tuple[float, float]] = None
     doing: Optional[Literal["driving", "waiting", "breaching", "stopped", "lost"]] = None
     goal: Optional[Cell] = None
+    flown: Optional[float] = None
 
 
 @dataclass(frozen=True)

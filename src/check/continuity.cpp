@@ -147,6 +147,41 @@ class ContinuityJudge {
             old->path.empty())
             return say("the plan does not say where the " + was.id + " agent decides", was.id);
         judge_base(*path, *old, *decision, state);
+        if (was.kind == AgentKind::air) judge_battery(was, *is, *path, *old, *decision, state);
+    }
+
+    // What an aircraft has flown is gone, and of its reserve it uses no more than it takes to fly straight home.
+    void judge_battery(const Agent& was, const Agent& is, const Itinerary& path, const Itinerary& old,
+                       const Decision& decision, const AgentState* state) {
+        if (is.range != was.range || is.endurance != was.endurance || is.reserve > was.reserve)
+            say("the " + was.id + " agent has another battery", was.id);
+        const double battery = std::min(was.range / was.speed, was.endurance);
+        if (std::isinf(battery)) return;
+        bool on_time = true;
+        const std::vector<Waypoint> rest = rest_of(old, state, on_time);
+        const Waypoint& at = rest.front();
+        const bool landed = rest.size() == 1 && at.x == old.path.back().x && at.y == old.path.back().y;
+        const Point start = was.from.value_or(Point(was.start));
+        const bool waits = was.flown == 0 && !on_time && at.x == start.x && at.y == start.y &&
+                           (state == nullptr || state->doing != Doing::breaching);
+        const double from = waits ? std::max(was.ready_at, state_.now) : was.ready_at;
+        const double until =
+            !landed ? decision.time : std::min(on_time ? old.path.back().t : state_.now, decision.time);
+        double flown = was.flown + std::max(until - from, 0.0);
+        if (state != nullptr && state->flown) {
+            const double next = *state->flown > 0 ? state_.now : std::max(state_.now, was.ready_at);
+            flown = *state->flown + (landed ? 0 : std::max(decision.time - next, 0.0));
+        }
+        const Waypoint& free = path.path[decision.point];
+        const double home = std::hypot(free.x - is.goal.x, free.y - is.goal.y) / is.speed;
+        if (home == 0) flown = std::min(flown, battery);
+        if (!same(is.flown, flown))
+            say("the " + was.id + " agent is said to have flown for another time than it has", was.id);
+        if (is.reserve == was.reserve) return;
+        const bool has_zones =
+            std::ranges::any_of(mission_.rules.zones, [&](const Zone& zone) { return zone.kind == ZoneKind::no_fly; });
+        if (!has_zones && path.path.back().t - decision.time > home + slack(path.path.back().t))
+            say("the " + was.id + " agent uses its reserve for more than to fly home", was.id);
     }
 
     void judge_base(const Itinerary& path, const Itinerary& old, const Decision& decision, const AgentState* state) {

@@ -10,19 +10,22 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // From when an aircraft takes off until it has landed, by the points of its path and what it breaches: who breaches
-// from its start or above its goal flies.
+// from its start or above its goal flies. Of one under way, from when it is ready; before, it has flown what it says.
 struct Flown {
     double off = infinity;  // in units of time
     double down = 0;
     double cells = 0;  // of all moves
     double moving = 0;
+    double before = 0;
 
-    double time() const { return std::max(down - off, 0.0); }
+    double time() const { return before + std::max(down - off, 0.0); }
     double hovering() const { return std::max(time() - moving, 0.0); }
 };
 
-Flown flown(const Map& map, const Plan& plan, const Itinerary& agent, const Terms& terms) {
+Flown flown(const Map& map, const Plan& plan, const Itinerary& agent, const Agent& asked, const Terms& terms) {
     Flown flight;
+    flight.before = asked.flown;
+    const double ready = asked.approach.empty() ? 0 : asked.ready_at - slack(terms, asked.ready_at);
     const auto flies = [&](double from, double until) {
         flight.off = std::min(flight.off, from);
         flight.down = std::max(flight.down, until);
@@ -30,7 +33,7 @@ Flown flown(const Map& map, const Plan& plan, const Itinerary& agent, const Term
     for (std::size_t i = 1; i < agent.path.size(); ++i) {
         const Waypoint& a = agent.path[i - 1];
         const Waypoint& b = agent.path[i];
-        if (a.x == b.x && a.y == b.y) continue;
+        if ((a.x == b.x && a.y == b.y) || a.t < ready) continue;
         flies(a.t, b.t);
         flight.cells += std::hypot(b.x - a.x, b.y - a.y);
         flight.moving += b.t - a.t;
@@ -39,8 +42,10 @@ Flown flown(const Map& map, const Plan& plan, const Itinerary& agent, const Term
         const bool is_its = breach.by.empty() || breach.by == agent.id;  // by: where there are several
         if (!is_its || !names_obstacle(map, breach.obstacle)) continue;
         const double lasts = terms.rules.breach_time.of(map.obstacle(breach.obstacle));
-        if (lasts > 0) flies(breach.cleared_at - lasts, breach.cleared_at);
+        if (lasts > 0 && breach.cleared_at - lasts >= ready) flies(breach.cleared_at - lasts, breach.cleared_at);
     }
+    if (!asked.approach.empty() && asked.flown > 0 && flight.down > 0)
+        flight.off = std::min(flight.off, asked.ready_at);
     return flight;
 }
 
@@ -72,7 +77,8 @@ void judge_far(const Map& map, const Mission& mission, const OutOfRange& far, co
     const auto is_it = [&](const Agent& agent) { return agent.id == far.agent && agent.kind == AgentKind::air; };
     const auto agent = std::find_if(mission.agents.begin(), mission.agents.end(), is_it);
     if (agent == mission.agents.end()) return fault("there is no air agent " + far.agent);
-    const double longest = (1 - agent->reserve) * std::min(agent->range / agent->speed, agent->endurance);
+    const double battery = std::min(agent->range / agent->speed, agent->endurance);
+    const double longest = std::max((1 - agent->reserve) * battery - agent->flown, 0.0);
     if (!agree(terms, far.longest, longest))
         return fault(far.agent + " may fly for " + text(longest) + ", not " + text(far.longest));
     const Point start = agent->from.value_or(Point(agent->start));
@@ -101,7 +107,7 @@ Violations judge_ranges(const Map& map, const Mission& mission, const Plan& plan
         const auto is_it = [&](const Agent& asked) { return asked.id == agent.id && asked.kind == AgentKind::air; };
         const auto asked = std::find_if(mission.agents.begin(), mission.agents.end(), is_it);
         if (asked == mission.agents.end() || agent.kind == AgentKind::ground) continue;
-        judge_flight(*asked, flown(map, plan, agent, terms), terms, found);
+        judge_flight(*asked, flown(map, plan, agent, *asked, terms), terms, found);
     }
     for (const OutOfRange& far : plan.out_of_range) judge_far(map, mission, far, terms, found);
     return found;

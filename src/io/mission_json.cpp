@@ -249,7 +249,7 @@ Waypoint read_waypoint(const JsonField& field) {
 
 Agent read_agent_of_mission(const JsonField& field) {
     field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "weight", "breaches", "range",
-                 "endurance", "reserve", "approach"});
+                 "endurance", "reserve", "flown", "approach"});
     Agent agent;
     agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);
@@ -268,6 +268,7 @@ Agent read_agent_of_mission(const JsonField& field) {
     if (const auto range = field.find("range")) agent.range = read_positive(*range);
     if (const auto endurance = field.find("endurance")) agent.endurance = read_positive(*endurance);
     if (const auto reserve = field.find("reserve")) agent.reserve = read_share(*reserve);
+    if (const auto flown = field.find("flown")) agent.flown = read_between(*flown, 0, most_breach_time);
     read_body(field, agent.body);
     return agent;
 }
@@ -286,6 +287,7 @@ Json mission_agent_json(const Agent& agent) {
     if (std::isfinite(agent.range)) json["range"] = agent.range;
     if (std::isfinite(agent.endurance)) json["endurance"] = agent.endurance;
     if (agent.reserve != 0) json["reserve"] = number(agent.reserve);
+    if (agent.flown != 0) json["flown"] = agent.flown;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = to_string(agent.body.corners);

@@ -31,7 +31,7 @@ Json openings_json(std::span<const TimedOpening> openings) {
 }
 
 AgentState read_agent(const JsonField& field) {
-    field.allow({"id", "passed", "at", "doing", "goal"});
+    field.allow({"id", "passed", "at", "doing", "goal", "flown"});
     AgentState agent;
     agent.id = read_agent_id(field["id"]);
     agent.passed = std::size_t(field["passed"].whole_number(0, INT_MAX));
@@ -42,6 +42,7 @@ AgentState read_agent(const JsonField& field) {
     }
     if (const auto doing = field.find("doing")) agent.doing = doing->one_of(doing_words);
     if (const auto goal = field.find("goal")) agent.goal = read_cell(*goal);
+    if (const auto flown = field.find("flown")) agent.flown = read_time(*flown);
     return agent;
 }
 
@@ -50,6 +51,7 @@ Json agent_json(const AgentState& agent) {
     if (agent.at) json["at"] = {agent.at->x, agent.at->y};
     json["doing"] = to_string(agent.doing);
     if (agent.goal) json["goal"] = cell_json(*agent.goal);
+    if (agent.flown) json["flown"] = *agent.flown;
     return json;
 }
 

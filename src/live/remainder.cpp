@@ -62,6 +62,7 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         itinerary.path = position.finished() ? agent.approach : continued(agent.approach, position);
         if (itinerary.path.empty()) return std::nullopt;
         if (agent.kind == AgentKind::ground && ground.first_hit(itinerary.path, agent.body)) return std::nullopt;
+        if (agent.kind == AgentKind::air && !agent.may_land_at(itinerary.path.back().t)) return std::nullopt;
         itinerary.start = agent.start;
         itinerary.gain.reset();
         itinerary.waits.clear();

@@ -9,6 +9,7 @@
 #include "core/range.hpp"
 #include "core/stopwatch.hpp"
 #include "live/base.hpp"
+#include "live/battery.hpp"
 #include "live/left.hpp"
 #include "live/remainder.hpp"
 #include "live/state.hpp"
@@ -112,6 +113,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
             Base flight = live::until(positions[i].flight(), bound);
             begin_on(known, std::move(flight), agent);
         }
+        if (agent.kind == AgentKind::air)
+            live::use_battery(left.agents[i], planned, positions[i], report.of(agent.id), report.state.now, agent);
         agents.push_back(std::move(agent));
     }
     std::vector<Agent> driving;
@@ -271,10 +274,6 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (mission.limits_flights())
-        throw InputError(ErrorCode::contradiction, "range",
-                         "a mission whose aircraft have a range or an endurance cannot be planned anew on its way yet: "
-                         "leave them out to revise it");
     if (!mission.rules.collisions)
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");

@@ -35,6 +35,11 @@ void validate(const Map& map, const Plan& plan, const AgentState& agent) {
     }
     if (agent.goal && !map.grid().contains(*agent.goal))
         refuse(ErrorCode::off_map, agent.id, "the new goal of agent " + agent.id + " is off the map");
+    if (agent.flown) {
+        require_range(*agent.flown, 0, most_breach_time, "the time that agent " + agent.id + " has flown");
+        if (planned->kind == AgentKind::ground)
+            refuse(ErrorCode::contradiction, agent.id, "agent " + agent.id + " drives, and is said to have flown");
+    }
     const bool may_breach = planned->kind == AgentKind::air ||
                             std::ranges::find(plan.breaches, agent.id, &Breach::by) != plan.breaches.end();
     if (agent.doing == Doing::breaching && !may_breach)

@@ -15,7 +15,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double share_of_first = 0.5;  // of the time
 
 Mission without_ranges(Mission mission) {
-    for (Agent& agent : mission.agents) agent.range = agent.endurance = infinity;
+    for (Agent& agent : mission.agents) {
+        agent.range = agent.endurance = infinity;
+        agent.reserve = agent.flown = 0;
+    }
     return mission;
 }
 

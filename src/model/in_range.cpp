@@ -56,9 +56,9 @@ std::string sentence(const Agent& agent, const std::string& what, double time) {
     const bool by_range = agent.range / agent.speed <= agent.endurance;
     const auto figure = [&](double value) { return number_text(by_range ? value * agent.speed : value); };
     const std::string reserve = agent.reserve > 0 ? ", with " + number_text(100 * agent.reserve) + " % in reserve" : "";
-    return "the " + agent.id + " agent can fly " + (by_range ? "" : "for ") + figure(agent.longest_flight()) +
-           (by_range ? " cells" : " units of time") + reserve + "; " + what + (by_range ? " is " : " takes ") +
-           figure(time);
+    return "the " + agent.id + " agent can " + (agent.flown > 0 ? "still " : "") + "fly " + (by_range ? "" : "for ") +
+           figure(agent.longest_flight()) + (by_range ? " cells" : " units of time") + reserve + "; " + what +
+           (by_range ? " is " : " takes ") + figure(time);
 }
 
 void validate_limits(const Agent& agent) {
@@ -72,14 +72,15 @@ void validate_limits(const Agent& agent) {
     require_positive(agent.endurance, "endurance");
     const std::string reserve = "the reserve of the " + agent.id + " agent";
     require_range(agent.reserve, 0, 1, reserve);
+    require_range(agent.flown, 0, most_breach_time, "the time that the " + agent.id + " agent has flown");
     const auto refuse = [&](const std::string& why) {
         throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
     };
     if (agent.reserve == 1) refuse("keeps all of its range in reserve");
     if (agent.reserve > 0 && !is_limited) refuse("has a reserve, and neither a range nor an endurance");
+    if (agent.flown > 0 && !is_limited) refuse("has flown, and has neither a range nor an endurance");
     if (!is_limited) return;
     if (agent.kind == AgentKind::ground) refuse("drives: range and endurance are for air agents");
-    if (!agent.approach.empty()) refuse("is under way: with a range or an endurance it cannot be planned for yet");
 }
 
 }  // namespace

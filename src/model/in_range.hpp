@@ -10,7 +10,7 @@
 namespace waybreaker {
 
 // Throws InputError, with the figures, if an agent's range, endurance or reserve is out of range or not an aircraft's,
-// it is under way, may not fly from its start to its goal, or something must be removed that none can fly to and home.
+// it may not fly from its start to its goal, or something must be removed that none can fly to and home.
 // REQUIRES: a mission that is valid but for these.
 void validate_flights(const Map& map, const Mission& mission);
 

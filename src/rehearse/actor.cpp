@@ -19,6 +19,28 @@ bool is_taken(Cell cell, const std::vector<Actor>& actors, double now) {
 
 }  // namespace
 
+Actor::Actor(const Agent& agent, std::size_t index)
+    : number(index),
+      kind(agent.kind),
+      speed(agent.speed),
+      radius(agent.kind == AgentKind::ground ? agent.body.reach() : 0),
+      battery(agent.battery()),
+      reserve(agent.reserve),
+      flown(agent.flown) {
+    trail.agent = agent.id;
+    trail.kind = kind;
+    trail.radius = radius;
+}
+
+AgentState Actor::state(double now) const {
+    AgentState state{.id = trail.agent, .passed = passed(now), .at = at(now)};
+    if (phase == Phase::at_work) state.doing = Doing::breaching;
+    if (phase == Phase::lost) state.doing = Doing::lost;
+    if (phase == Phase::waiting || phase == Phase::held || phase == Phase::arrived) state.doing = Doing::waiting;
+    if (battery != never) state.flown = in_the_air(now);
+    return state;
+}
+
 std::optional<Point> Actor::ahead(double way, double now) const {
     Point from = at(now);
     for (std::size_t i = stop + 1; i < script.size(); ++i) {

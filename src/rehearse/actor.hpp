@@ -11,7 +11,9 @@
 #include "rehearse/script.hpp"
 #include "rehearse/trail.hpp"
 #include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/state.hpp"
 
 namespace waybreaker::rehearsal {
 
@@ -21,6 +23,8 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 enum class Phase { waiting, held, moving, at_work, arrived, lost };
 
 struct Actor {
+    Actor(const Agent& agent, std::size_t index);
+
     std::size_t number = 0;  // in the mission
     AgentKind kind = AgentKind::ground;
     double speed = 1;
@@ -38,10 +42,32 @@ struct Actor {
     double news = never;                // what is drawn happens when it has driven that
     std::vector<ObstacleId> work = {};  // it is on
     double arrived_at = 0;
+    // Of an aircraft, in units of time: how long its battery lasts and what is to be left of that, how long it was in
+    // the air, but for the flight it is on, and since when it is on that.
+    double battery = never;
+    double reserve = 0;
+    double flown = 0;
+    double took_off = never;
     Point lost_at = {};
     Trail trail = {};
 
     bool ended() const { return phase == Phase::arrived || phase == Phase::lost; }
+    void take_off(double now) {
+        if (kind == AgentKind::air && !flies()) took_off = now;
+    }
+    // Whether it lands on its reserve.
+    bool land(double now) {
+        if (!flies()) return false;
+        flown = in_the_air(now);
+        took_off = never;
+        return flown > (1 - reserve) * battery * (1 + 1e-6);
+    }
+    bool flies() const { return took_off != never; }
+    double in_the_air(double now) const { return flown + (flies() ? now - took_off : 0); }
+    // In the air, when its battery is empty.
+    double emptied_at() const { return flies() ? took_off + (battery - flown) * (1 + 1e-6) : never; }
+    // The next time at which something happens to it.
+    double event() const { return std::min(until, emptied_at()); }
     const Stop& here() const { return script[stop]; }
     double to_next() const { return distance(script[stop].at, script[stop + 1].at); }
     Point at(double now) const {
@@ -55,6 +81,8 @@ struct Actor {
     }
     // So far ahead on its path, or nowhere.
     std::optional<Point> ahead(double way, double now) const;
+    // As it reports it.
+    AgentState state(double now) const;
     // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
     // it would be at by now.
     std::size_t passed(double now) const;

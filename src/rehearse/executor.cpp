@@ -32,16 +32,8 @@ class Execution {
           plan_(&scene.plan),
           tries_(scene.map.obstacles().size() + 1, 0) {
         for (std::size_t i = 0; i < scene.plan.agents.size(); ++i) {
-            const Itinerary& agent = scene.plan.agents[i];
-            Actor& actor = actors_.emplace_back();
-            actor.number = i;
-            actor.kind = agent.kind;
-            actor.speed = agent.speed;
-            actor.trail.agent = agent.id;
-            actor.trail.kind = agent.kind;
-            if (agent.kind == AgentKind::ground) actor.radius = scene.mission.agents[i].body.reach();
-            actor.trail.radius = actor.radius;
-            draw_news(actor, length_of(agent.path));
+            Actor& actor = actors_.emplace_back(scene.mission.agents[i], i);
+            draw_news(actor, length_of(scene.plan.agents[i].path));
             acting_.push_back(i);
         }
         if (scene.plan.revised) now_ = scene.plan.revised->now;
@@ -73,16 +65,16 @@ class Execution {
 
     // The next event, and all that happen at once with it; then, if there is news, a new plan.
     void step() {
-        const auto next = std::ranges::min_element(actors_, {}, &Actor::until);
-        if (!coming_.empty() && coming_.back().at <= next->until) return open_by(coming_.back().at);
-        if (next->until == never) {
+        const auto next = std::ranges::min_element(actors_, {}, &Actor::event);
+        if (!coming_.empty() && coming_.back().at <= next->event()) return open_by(coming_.back().at);
+        if (next->event() == never) {
             result_.ending = Ending::stuck;
             return;
         }
         happen(*next);
         while (news_ && result_.ending == Ending::arrived) {
-            const auto other = std::ranges::min_element(actors_, {}, &Actor::until);
-            if (other->until > now_ + at_once) break;
+            const auto other = std::ranges::min_element(actors_, {}, &Actor::event);
+            if (other->event() > now_ + at_once) break;
             happen(*other);
         }
         heed_news();
@@ -101,7 +93,8 @@ class Execution {
     }
 
     void happen(Actor& actor) {
-        now_ = std::max(now_, actor.until);
+        now_ = std::max(now_, actor.event());
+        if (actor.emptied_at() < actor.until) return lose(actor, result_.emptied);
         switch (actor.phase) {
             case Phase::held:
             case Phase::waiting:
@@ -138,12 +131,14 @@ class Execution {
         if (here.not_before > now_) return stand(actor, Phase::held, here.not_before);
         if (actor.stop + 1 == actor.script.size()) {
             if (actor.phase != Phase::arrived) actor.arrived_at = now_;
+            result_.on_reserve += actor.land(now_) ? 1 : 0;
             return stand(actor, Phase::arrived);
         }
         const Stop& next = actor.script[actor.stop + 1];
         if (next.at == here.at) {
             if (next.work == 0) return get_to_next(actor);
             actor.work = next.breaches;
+            actor.take_off(now_);
             return stand(actor, Phase::at_work, now_ + next.work);
         }
         if (here.share == 0 && !actor.rolls && !actor.delayed) {
@@ -152,6 +147,7 @@ class Execution {
             if (delay > 0) return stand(actor, Phase::held, now_ + delay);
         }
         log(actor);
+        actor.take_off(now_);
         actor.phase = Phase::moving;
         actor.since = now_;
         const double length = actor.to_next();
@@ -164,7 +160,7 @@ class Execution {
         if (actor.driven <= actor.news && actor.news < actor.driven + length) {
             actor.news = never;
             actor.until = std::max(now_, actor.since + length / actor.speed);
-            return actor.kind == AgentKind::air ? lose(actor) : find_blocked_street(actor);
+            return actor.kind == AgentKind::air ? lose(actor, result_.lost) : find_blocked_street(actor);
         }
         actor.driven += length;
         get_to_next(actor);
@@ -233,9 +229,10 @@ class Execution {
         }
     }
 
-    void lose(Actor& actor) {
-        ++result_.lost;
+    void lose(Actor& actor, int& count) {
+        ++count;
         actor.lost_at = actor.at(now_);
+        actor.took_off = never;
         stand(actor, Phase::lost);
         news_ = true;
     }
@@ -254,19 +251,10 @@ class Execution {
     State state() {
         State state{.sequence = ++sequence_, .now = now_};
         for (const std::size_t i : acting_) {
-            Actor& actor = actors_[i];
-            AgentState& said = state.agents.emplace_back();
-            said.id = actor.trail.agent;
-            said.at = actor.at(now_);
-            said.passed = actor.passed(now_);
-            if (actor.phase == Phase::at_work) {
-                said.doing = Doing::breaching;
-                for (const ObstacleId id : actor.work) state.opened.push_back({id, actor.until});
-            } else if (actor.phase == Phase::lost) {
-                said.doing = Doing::lost;
-            } else if (actor.phase != Phase::moving) {
-                said.doing = Doing::waiting;
-            }
+            const Actor& actor = actors_[i];
+            state.agents.push_back(actor.state(now_));
+            if (actor.phase != Phase::at_work) continue;
+            for (const ObstacleId id : actor.work) state.opened.push_back({id, actor.until});
         }
         for (const TimedOpening& opening : events_.opened) {
             const auto& known = mission_->rules.opened;
@@ -278,17 +266,32 @@ class Execution {
         return state;
     }
 
+    // Aircraft that would not come home are lost.
+    Revision revised(State state) {
+        while (true) {
+            const auto begin = std::chrono::steady_clock::now();
+            try {
+                Revision next = revise(planner_, *map_, *mission_, *plan_, state, 0, scene_.method, scene_.limits);
+                const std::chrono::duration<double, std::milli> lasted = std::chrono::steady_clock::now() - begin;
+                revise_ms_.push_back(lasted.count());
+                return next;
+            } catch (const InputError& error) {
+                const auto said = std::ranges::find(state.agents, error.error().subject, &AgentState::id);
+                if (said == state.agents.end() || !said->flown || said->doing == Doing::lost) throw;
+                said->doing = Doing::lost;
+                lose(actors_[acting_[std::size_t(said - state.agents.begin())]], result_.emptied);
+                news_ = false;
+            }
+        }
+    }
+
     void revise_plan() {
         news_ = false;
         if (++result_.revisions > most_revisions) {
             result_.ending = Ending::not_found;
             return;
         }
-        const State state = this->state();
-        const auto begin = std::chrono::steady_clock::now();
-        Revision next = revise(planner_, *map_, *mission_, *plan_, state, 0, scene_.method, scene_.limits);
-        revise_ms_.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+        Revision next = revised(state());
         if (next.plan.status != PlanStatus::solved) {
             result_.ending = ending_of(next);
             return;

@@ -29,10 +29,6 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
-    if (mission.limits_flights())
-        contradiction(
-            "a plan whose aircraft have a range or an endurance cannot be rehearsed yet: leave them out to rehearse "
-            "it");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }
@@ -76,6 +72,8 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
     for (const Rehearsed& run : rehearsal.runs) {
         rehearsal.revisions += run.revisions;
         if (run.illegal > 0) ++rehearsal.illegal;
+        if (run.on_reserve > 0) ++rehearsal.on_reserve;
+        if (run.emptied > 0) ++rehearsal.emptied;
         if (run.ending != Ending::arrived) continue;
         ++rehearsal.arrived;
         makespans.push_back(run.makespan);

@@ -14,8 +14,6 @@
 #include "plain_map.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
-#include "waybreaker/rehearse.hpp"
-#include "waybreaker/revise.hpp"
 
 namespace waybreaker {
 namespace {
@@ -320,27 +318,14 @@ TEST(Range, NamesWhatCannotBe) {
     mission.agents[0].range = 9;
     EXPECT_EQ(error(), "the ground agent drives: range and endurance are for air agents");
     mission.agents[0].range = never;
+    mission.agents[1].flown = 1;
+    EXPECT_EQ(error(), "the air agent has flown, and has neither a range nor an endurance");
     mission.agents[1].range = 9;
-    mission.agents[1].ready_at = 3;
-    mission.agents[1].approach = {{1, 0, 0}, {0, 0, 3}};
-    EXPECT_EQ(error(), "the air agent is under way: with a range or an endurance it cannot be planned for yet");
-}
-
-TEST(Range, IsRefusedUnderWay) {
-    const Map map = map_from_ascii(R"(
-        .....
-        .....)");
-    Mission mission = ground_and_air({0, 0}, {4, 0});
-    mission.agents[1].range = 9;
-    Planner planner;
-    const Plan plan = planner.plan(map, mission);
-    ASSERT_EQ(plan.status, PlanStatus::solved);
-    State state;
-    state.sequence = 1;
-    state.now = 1;
-    EXPECT_NE(input_error([&] { (void)revise(planner, map, mission, plan, state); }).find("planned anew"),
-              std::string::npos);
-    EXPECT_NE(input_error([&] { (void)rehearse(map, mission, plan); }).find("rehearsed"), std::string::npos);
+    EXPECT_EQ(error(), "");
+    mission.agents[1].flown = 2.5;
+    EXPECT_EQ(error(), "the air agent can still fly 4 cells; from its start to its goal it is 5");
+    mission.agents[1].flown = -1;
+    EXPECT_EQ(error(), "the time that the air agent has flown must be from 0 to 1e+09, not -1");
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ MissionDocument any_document() {
         document.mission.agents.back().range = *rc::gen::element(infinity, 900.5);
         document.mission.agents.back().endurance = *rc::gen::element(infinity, 60.0);
         document.mission.agents.back().reserve = *rc::gen::element(0.0, 0.2);
+        document.mission.agents.back().flown = *rc::gen::element(0.0, 12.5);
         if (kind == AgentKind::ground)
             document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
         set_out(document.mission.agents.back());
@@ -97,7 +98,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
         const Agent& b = written.mission.agents[i];
         RC_ASSERT(a.id == b.id && a.kind == b.kind && a.start == b.start && a.goal == b.goal);
         RC_ASSERT(a.speed == b.speed && a.body == b.body && a.breaches == b.breaches);
-        RC_ASSERT(a.range == b.range && a.endurance == b.endurance && a.reserve == b.reserve);
+        RC_ASSERT(a.range == b.range && a.endurance == b.endurance && a.reserve == b.reserve && a.flown == b.flown);
         RC_ASSERT(a.ready_at == b.ready_at && a.from == b.from && a.approach == b.approach);
     }
     const Rules& rules = read.mission.rules;

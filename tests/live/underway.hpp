@@ -68,11 +68,25 @@ inline std::vector<Zone> some_zones(int side) {
     return zones;
 }
 
+// Some that bring aircraft home and little farther, some that have no end.
+inline void give_batteries(Mission& mission) {
+    for (Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::ground || *number(0, 3) == 0) continue;
+        agent.reserve = *rc::gen::element(0.0, 0.0, 0.2, 0.5);
+        const double flight = distance(agent.begin(), Point(agent.goal)) + 0.5 + 0.5 * *number(0, 40);
+        if (*number(0, 1) == 0)
+            agent.range = flight / (1 - agent.reserve);
+        else
+            agent.endurance = flight / agent.speed / (1 - agent.reserve);
+    }
+}
+
 // One that has a plan, before it begins.
-inline Underway any_planned(int side, int most_vehicles, int most_retries, bool zoned = false) {
+inline Underway any_planned(int side, int most_vehicles, int most_retries, bool zoned = false, bool batteries = false) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, most_vehicles, most_retries)};
     if (zoned) drawn.mission.rules.zones = some_zones(side);
+    if (batteries) give_batteries(drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -103,8 +117,8 @@ inline Underway any_own_way(int side, int most_retries) {
 }
 
 // Some time after it began; nothing is reported but that.
-inline Underway any_underway(int side, bool zoned = false) {
-    Underway drawn = any_planned(side, 2, 1, zoned);
+inline Underway any_underway(int side, bool zoned = false, bool batteries = false) {
+    Underway drawn = any_planned(side, 2, 1, zoned, batteries);
     double last = 0;
     for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
     drawn.state.sequence = 1;

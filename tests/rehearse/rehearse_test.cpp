@@ -23,8 +23,8 @@ namespace {
 
 using Rehearsable = Underway;
 
-Rehearsable any_rehearsable(int side, int most_vehicles, bool zoned = false) {
-    return any_planned(side, most_vehicles, 2, zoned);
+Rehearsable any_rehearsable(int side, int most_vehicles, bool zoned = false, bool batteries = false) {
+    return any_planned(side, most_vehicles, 2, zoned, batteries);
 }
 
 RehearsalOptions any_options() {
@@ -83,6 +83,19 @@ RC_GTEST_PROP(Rehearse, NoRunIsIllegal, ()) {
 
 RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereThereAreZones, ()) {
     expect_legal(any_rehearsable(14, 3, true));
+}
+
+RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereBatteriesEnd, ()) {
+    expect_legal(any_rehearsable(14, 3, *rc::gen::arbitrary<bool>(), true));
+}
+
+// The plan brings all home with their reserves.
+RC_GTEST_PROP(Rehearse, NoBatteryIsEmptyWithoutDraws, ()) {
+    const Rehearsable drawn = any_rehearsable(14, 3, false, true);
+    const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
+    RC_ASSERT(rehearsal.on_reserve == 0);
+    RC_ASSERT(rehearsal.emptied == 0);
+    RC_ASSERT(rehearsal.arrived == 1);
 }
 
 RC_GTEST_PROP(Rehearse, NoRunOfAnAgentThatOpensItsOwnWayIsIllegal, ()) {
@@ -205,6 +218,35 @@ TEST(Rehearse, CountsWhatHappens) {
     EXPECT_EQ(failed.revisions, 1);
     const Rehearsed lost = played({.lost = 1, .runs = 1});
     EXPECT_EQ(lost.lost, 1);
+}
+
+// A flight of 16 of 20 cells, 4 of them in reserve; it is late when it leaves the breach cell, in the air.
+TEST(Rehearse, CountsLandingsOnTheReserveAndEmptyBatteries) {
+    const Map map = map_from_ascii(R"(
+        .........#...
+        .........#...
+        .........#...
+        .........#...
+        .........#...
+        .............)");
+    Mission mission = ground_and_air({8, 0}, {12, 0});
+    mission.agents[1].start = mission.agents[1].goal = {0, 0};
+    mission.agents[1].range = 20;
+    mission.agents[1].reserve = 0.2;
+    mission.agents[1].speed = 4;
+    mission.rules.objective = Objective::ground_makespan;
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    const auto late = [&](double delay) {
+        return rehearse(map, mission, plan, {.delay = {DelayKind::fixed, delay}, .runs = 2, .threads = 1});
+    };
+    EXPECT_EQ(late(0).on_reserve, 0);
+    EXPECT_EQ(late(0.5).on_reserve, 2);
+    EXPECT_EQ(late(0.5).emptied, 0);
+    EXPECT_EQ(late(1.5).on_reserve, 0);
+    EXPECT_EQ(late(1.5).emptied, 2);
+    EXPECT_EQ(late(1.5).runs.front().lost, 0);
+    EXPECT_EQ(late(1.5).arrived, 2);
 }
 
 TEST(Rehearse, RefusesWhatItCannotPlay) {

@@ -166,6 +166,7 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.agents[1].range = 900;
     document.mission.agents[1].endurance = 60;
     document.mission.agents[1].reserve = 0.2;
+    document.mission.agents[1].flown = 10;
     document.mission.rules.opened = {{{3}, 4.5}};
     document.mission.rules.failed = {{4}};
     document.mission.rules.retries = 2;

@@ -27,6 +27,7 @@ export interface AgentDocument {
   range?: number; // cells
   endurance?: number;
   reserve?: number;
+  flown?: number; // by ready_at, in units of time
 }
 
 // `cell`: how large one is, in the unit of the agents' speeds.

@@ -12,8 +12,8 @@ function batteryIn({ mission }: Plan, id: string): Partial<AgentDocument> {
 
 // “lands with 225 m of 1000 m left; 20 % are to be in reserve”; null where the battery has no end.
 export function landing(plan: Plan, agent: Agent, units: Units): string | null {
-  const { range, endurance, reserve = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
-  const flown = arrival(agent) - readyAt;
+  const { range, endurance, reserve = 0, flown: before = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
+  const flown = before + arrival(agent) - readyAt;
   const left = (all: number, gone: number, text: typeof length) =>
     `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
   const parts = [
@@ -59,12 +59,13 @@ interface Limit {
   byRange: boolean; // or by time
   longest: number; // cells, or units of time
   reserve: number;
+  still?: boolean; // it is under way
 }
 
-function can({ id, byRange, longest, reserve }: Limit, units: Units): string {
+function can({ id, byRange, longest, reserve, still }: Limit, units: Units): string {
   const kept = reserve > 0 ? ` with ${percent(reserve)} in reserve` : "";
   const far = byRange ? length(longest, units) : `for ${duration(longest, units)}`;
-  return `${nameOf({ id, kind: "air" })} can fly ${far}${kept}`;
+  return `${nameOf({ id, kind: "air" })} can ${still ? "still " : ""}fly ${far}${kept}`;
 }
 
 function needs({ byRange, longest }: Limit, flight: number, units: Units, way = "there and back"): string {
@@ -76,8 +77,8 @@ function needs({ byRange, longest }: Limit, flight: number, units: Units, way = 
 const refusal = new RegExp(
   [
     /^(?:obstacle (\d+) must be removed, but )?/,
-    /the (.+) agent can fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?/,
-    /; .+ (?:is|takes) (\S+?)\.?$/,
+    /the (.+) agent can (still )?fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?/,
+    /; (.+) (?:is|takes) (\S+?)(: send it .+)?\.?$/,
   ]
     .map(({ source }) => source)
     .join(""),
@@ -86,11 +87,11 @@ const refusal = new RegExp(
 
 // What the planner says of flights that are too long, in the page's units and words; other messages as they are.
 export function refusalWords(message: string, units: Units, obstacleName: (id: number) => string): string {
-  const [, forced, id, byTime, longest, reserve, flight] = refusal.exec(message) ?? [];
+  const [, forced, id, still, byTime, longest, reserve, leg, flight, remedy = ""] = refusal.exec(message) ?? [];
   if (id === undefined) return message;
-  const limit = { id, byRange: !byTime, longest: Number(longest), reserve: Number(reserve ?? 0) / 100 };
-  const way = forced ? "there and back" : "from its start to its goal it";
-  const flies = `${can(limit, units)}; ${needs(limit, Number(flight), units, way)}.`;
+  const limit = { id, byRange: !byTime, longest: Number(longest), reserve: Number(reserve ?? 0) / 100, still: !!still };
+  const way = forced ? "there and back" : leg!;
+  const flies = `${can(limit, units)}; ${needs(limit, Number(flight), units, way)}${remedy}.`;
   const whole = forced ? `${obstacleName(Number(forced))} must be removed, but ${flies}` : flies;
   return whole.charAt(0).toUpperCase() + whole.slice(1);
 }

@@ -2,7 +2,6 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { type CheckReport, type Client, ServiceError } from "../api/client";
 import type { RevisionAnswer } from "../api/documents";
-import type { AgentDocument } from "../domain/agent_document";
 import type { Cell, Point } from "../domain/geometry";
 import { objectiveOf, type Plan, type TimedPoint, valueOf } from "../domain/plan";
 import type { Rehearsed } from "../domain/rehearsed";
@@ -194,12 +193,7 @@ export function isRehearsable(plan: Plan | null): boolean {
 
 // What cannot be planned anew on its way, in words; null where all of it can.
 export function whyNotRehearsed({ options, mission }: Plan): string | null {
-  const agents = (mission?.agents ?? []) as AgentDocument[];
   if (options.timing === "ignore") return "Plans whose timing is ignored cannot be rehearsed: they enter what still stands.";
-  if (agents.some(({ range, endurance }) => range !== undefined || endurance !== undefined)) {
-    const remedy = "To rehearse this one, leave range and endurance empty.";
-    return `Missions of aircraft whose battery ends cannot be rehearsed yet. ${remedy}`;
-  }
   if (mission?.rules?.collisions === false) return "Missions whose vehicles pass through each other cannot be rehearsed.";
   return null;
 }
