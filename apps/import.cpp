@@ -10,10 +10,13 @@
 #include "city/city_import.hpp"
 #include "city/extract.hpp"
 #include "city/ground_rules.hpp"
+#include "city/no_fly.hpp"
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/map_info.hpp"
+#include "io/mission_json.hpp"
 #include "io/output_file.hpp"
+#include "io/zones_json.hpp"
 #include "measure.hpp"
 #include "named_files.hpp"
 #include "note.hpp"
@@ -37,6 +40,8 @@ struct ImportOptions {
     std::string place;    // or its name
     bool sized = false;
     std::optional<double> tile;
+    std::string zones;
+    double clearance = city::usual_clearance;
     OverlayOptions overlays;
     city::ImportOptions window;
 };
@@ -130,6 +135,20 @@ struct Noticed {
     }
 };
 
+// Says how many there are, and of what.
+std::string write_no_fly_zones(const ImportOptions& options, const geotiff::LabelTiff& map) {
+    const std::vector<Zone> zones = city::no_fly_zones(options.source, options.window, options.clearance);
+    nlohmann::ordered_json json = io::zones_json(zones, geotiff::lon_lat_of(map.georeference));
+    if (!map.annotations.attribution.empty()) json["attribution"] = map.annotations.attribution;
+    io::write_whole(options.zones, io::pretty(json));
+    std::vector<std::string> names;
+    for (const Zone& zone : zones) {
+        if (std::ranges::find(names, zone.name) == names.end()) names.push_back(zone.name);
+    }
+    return fmt::format("{}: {} no-fly {}{}{}\n", options.zones, zones.size(), zones.size() == 1 ? "zone" : "zones",
+                       names.empty() ? "" : ": ", fmt::join(names, ", "));
+}
+
 void import_one(const ImportOptions& options) {
     const city::ImportReport report = import_with_progress(options);
     Noticed noticed;
@@ -137,9 +156,10 @@ void import_one(const ImportOptions& options) {
     noticed.say(options.source);
     note_overlays(report.overlays);
     io::write_whole(options.output, geotiff::label_tiff_bytes(report.tiff));
+    const std::string zones = options.zones.empty() ? "" : write_no_fly_zones(options, report.tiff);
     if (options.output == "-") return;
     io::write_whole("-", summary_line(options.output, report, things_of(options)) +
-                             overlay_summary(report.overlays, report.tiff.cell_size));
+                             overlay_summary(report.overlays, report.tiff.cell_size) + zones);
 }
 
 // Files ROW_COLUMN.tif in a folder.
@@ -218,7 +238,9 @@ void run(const ImportOptions& given) {
     options.window.overlays = overlays_of(given.overlays);
     NamedFiles inputs{{"SOURCE", options.source}};
     for (const city::OverlaySource& overlay : options.window.overlays) inputs.emplace_back("--also", overlay.file);
-    keep_inputs({{"--output", options.output}}, inputs);
+    keep_inputs({{"--output", options.output}, {"--zones", options.zones}}, inputs);
+    if (options.zones == "-") throw InputError("--zones writes a file: give its name");
+    if (!options.zones.empty() && options.tile) throw InputError("--zones is for one map: leave --tile out");
     if (options.center && options.window.box) {
         throw InputError("give the window either by --center (and --size) or by --bbox");
     }
@@ -339,6 +361,12 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     command->add_flag("--unknown-free", options->window.unknown_free,
                       "What lies beyond the data of an OpenStreetMap file is free, not unknown");
     add_overlay_options(*command, options->overlays);
+    add_file(*command, "--zones", options->zones,
+             "Also write what aircraft keep clear of by the map data, as GeoJSON for `waybreaker plan --zones`: "
+             "aerodromes, heliports and helipads, prisons, military ground");
+    add_number(
+        *command, "--clearance", [options](double metres) { options->clearance = metres; }, {0, lengths.most},
+        "METRES", fmt::format("How far aircraft keep from these (default: {})", city::usual_clearance));
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");
     command->add_flag_callback(
@@ -358,6 +386,8 @@ void setup_import(CLI::App& root, Run& run_chosen) {
                    "--obstacle-weight area -o monaco.tif"),
                   ("waybreaker import krems.osm.pbf --center 15.605,48.4095 --also flood.geojson --as water "
                    "--also debris.geojson --as debris -o krems-today.tif"),
+                  ("waybreaker import krems.osm.gz --center 15.608,48.4086 -o krems.tif --zones krems-zones.geojson "
+                   "--clearance 120"),
                   "waybreaker import kyoto.osm.gz --center 135.765,34.96 --size 3607.2 --tile 1202.4 -o kyoto"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/agent_json.hpp"
 #include "io/json_field.hpp"
 #include "io/mission_document.hpp"
 
@@ -42,7 +43,6 @@ Cell read_cell(const JsonField& field);
 nlohmann::ordered_json cell_json(Cell c);
 // `least`: 0 where a wrong id is judged, not refused.
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
-std::string read_agent_id(const JsonField& field);
 double read_not_negative(const JsonField& field);
 double read_share(const JsonField& field);  // 0 to 1
 // Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square
@@ -50,10 +50,6 @@ double read_share(const JsonField& field);  // 0 to 1
 void read_rules(const JsonField& field, MissionDocument& document);
 // Members of `field` that say how the mission is planned.
 void read_method(const JsonField& field, Method& method);
-void read_body(const JsonField& field, Body& body);
-Waypoint read_waypoint(const JsonField& field);
 std::vector<TimedOpening> read_openings(const JsonField& list);
-Agent read_agent_of_mission(const JsonField& field);
-nlohmann::ordered_json mission_agent_json(const Agent& agent);
 
 }  // namespace waybreaker::io

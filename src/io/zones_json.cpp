@@ -1,5 +1,7 @@
 #include "io/zones_json.hpp"
 
+#include <cmath>
+
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
 
@@ -9,6 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto cells = "cells";
+constexpr double per_degree = 1e7;  // a centimetre
 
 std::vector<Point> read_ring(const JsonField& field) {
     std::vector<Point> ring;
@@ -81,7 +84,12 @@ ZoneCollection parse_zones(std::string_view bytes, const std::string& name) {
     return read_zones(JsonField(document));
 }
 
-Json zones_json(const std::vector<Zone>& zones) {
+Json zones_json(const std::vector<Zone>& zones, const site::ToLonLat& to_lon_lat) {
+    const auto position = [&](Point p) -> Json {
+        if (!to_lon_lat) return {p.x, p.y};
+        const auto [longitude, latitude] = to_lon_lat(p);
+        return {std::round(longitude * per_degree) / per_degree, std::round(latitude * per_degree) / per_degree};
+    };
     Json features = Json::array();
     for (const Zone& zone : zones) {
         Json properties{{"zone", to_string(zone.kind)}};
@@ -90,15 +98,18 @@ Json zones_json(const std::vector<Zone>& zones) {
         Json rings = Json::array();
         for (const std::vector<Point>& ring : zone.polygon) {
             Json positions = Json::array();
-            for (const Point p : ring) positions.push_back({p.x, p.y});
-            if (!ring.empty()) positions.push_back({ring.front().x, ring.front().y});
+            for (const Point p : ring) positions.push_back(position(p));
+            if (!ring.empty()) positions.push_back(position(ring.front()));
             rings.push_back(std::move(positions));
         }
         features.push_back({{"type", "Feature"},
                             {"properties", std::move(properties)},
                             {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}}});
     }
-    return {{"type", "FeatureCollection"}, {"crs", cells}, {"features", std::move(features)}};
+    Json collection{{"type", "FeatureCollection"}};
+    if (!to_lon_lat) collection["crs"] = cells;
+    collection["features"] = std::move(features);
+    return collection;
 }
 
 }  // namespace waybreaker::io

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/json_field.hpp"
+#include "site/georeference.hpp"
 #include "waybreaker/zone.hpp"
 
 namespace waybreaker::io {
@@ -32,7 +33,8 @@ Point read_position(const JsonField& field);
 ZoneCollection read_zones(const JsonField& collection);
 ZoneCollection parse_zones(std::string_view bytes, const std::string& name);
 
-// In cells; reads back as what was written. REQUIRES: finite corners.
-nlohmann::ordered_json zones_json(const std::vector<Zone>& zones);
+// In cells, and then it reads back as what was written; or in longitude and latitude, to a centimetre. REQUIRES: finite
+// corners.
+nlohmann::ordered_json zones_json(const std::vector<Zone>& zones, const site::ToLonLat& to_lon_lat = {});
 
 }  // namespace waybreaker::io
