@@ -44,6 +44,7 @@ it("has a range, and is planned, explained and kept with it", async () => {
   await result.getByText("The aircraft lands with 225 m of 1000 m left; 20 % are to be in reserve.").first().waitFor();
   await result.getByText("Out of range: the aircraft can fly 800 m with 20 % in reserve.").first().waitFor();
   await result.getByText("there and back is 880 m").first().waitFor();
+  await page.getByRole("button", { name: "Rehearse this plan" }).waitFor();
   await result.getByRole("button", { name: /607/ }).click();
   await page.getByRole("complementary").getByText("Out of range: the aircraft can fly 800 m with 20 % in reserve; there and back is 880 m.").waitFor();
   expect(await studio.accessibilityFaults()).toEqual([]);

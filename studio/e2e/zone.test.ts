@@ -88,6 +88,27 @@ it("is drawn by the keyboard alone, on a phone as well", async () => {
   expect(studio.faults).toEqual([]);
 });
 
+it("comes from a file, in longitude and latitude, and goes with one step back", async () => {
+  const studio = await setting.settled({ query: "?map=krems.tif&start=487,5&goal=450,240&removals=2" });
+  const { page } = studio;
+  const [far] = await studio.figures();
+  await page.getByLabel("File to open").setInputFiles(join(data, "krems-helipad.geojson"));
+  await page.getByText("A zone is added.").waitFor();
+  await expect.poll(async () => (await zonesOf(studio)).length).toBe(1);
+  await studio.settled();
+  expect((await studio.figures())[0]).toBeGreaterThan(far!);
+  expect((await studio.plan()).removed.map(({ obstacle }) => obstacle)).toContain(458);
+  expect(await page.getByLabel("Name of zone 1").inputValue()).toBe("helipad");
+  expect(await studio.accessibilityFaults()).toEqual([]);
+  const nowhere = join(setting.scratch, "nowhere.geojson");
+  writeFileSync(nowhere, '{"type": "FeatureCollection", "features": [{"properties": {"zone": "no_fly"}, "geometry": null}]}');
+  await page.getByLabel("File to open").setInputFiles(nowhere);
+  await page.getByText("“nowhere.geojson” is no collection of zones").waitFor();
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await zonesOf(studio)).length).toBe(0);
+  expect(studio.faults).toEqual([]);
+});
+
 it("says so where a start lies in it", async () => {
   const studio = await setting.settled({ query });
   const zone = { type: "Feature", properties: { zone: "no_fly", name: "home" } };

@@ -24,6 +24,17 @@ export interface MapDescription {
   digest: string;
 }
 
+// Where a longitude and latitude lies, in cells, to a hundredth; `toLonLat` as in descriptions of maps.
+export function cellsAt(toLonLat: readonly number[]): (lonLat: Point) => Point {
+  const [a, b, c, d, e, f] = toLonLat as [number, number, number, number, number, number];
+  const area = a * e - b * d;
+  const rounded = (value: number) => Math.round(100 * value) / 100 + 0; // no -0
+  return ([lon, lat]) => [
+    rounded(((lon - c) * e - (lat - f) * b) / area),
+    rounded(((lat - f) * a - (lon - c) * d) / area),
+  ];
+}
+
 export type Kind = "unknown" | "building" | "barrier" | "water" | "cliff" | "forbidden" | "off_road";
 
 // What a section is a part of.

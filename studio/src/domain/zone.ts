@@ -35,12 +35,19 @@ export function zoneCollection(zones: readonly Zone[]): ZoneCollection {
   };
 }
 
-// Null where it is no such collection.
-export function zonesOf(value: unknown): Zone[] | null {
-  const { crs, features } = (value ?? {}) as Partial<ZoneCollection>;
-  if (crs !== "cells" || !Array.isArray(features)) return null;
+// Whether corners are cells; else they are longitude and latitude.
+export function isInCells(value: unknown): boolean {
+  return (value as Partial<ZoneCollection> | null)?.crs === "cells";
+}
+
+// Null where it is no such collection. `cellAt`: of a longitude and latitude, for collections that are not in cells.
+export function zonesOf(value: unknown, cellAt: ((lonLat: Point) => Point) | null = null): Zone[] | null {
+  const { features } = (value ?? {}) as Partial<ZoneCollection>;
+  const placed = isInCells(value) ? (corner: Point) => corner : cellAt;
+  if (!placed || !Array.isArray(features)) return null;
   const zones = features.map((feature: unknown) => zonesOfFeature(feature as Feature));
-  return zones.includes(null) ? null : zones.flatMap((some) => some ?? []);
+  if (zones.includes(null)) return null;
+  return zones.flatMap((some) => some ?? []).map((zone) => ({ ...zone, rings: zone.rings.map((ring) => ring.map(placed)) }));
 }
 
 type Feature = { properties?: Record<string, unknown>; geometry?: { type?: string; coordinates?: unknown } } | null;

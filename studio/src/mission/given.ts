@@ -9,6 +9,7 @@ export type Given =
   | { kind: "map"; file: KeptFile }
   | { kind: "map data"; file: KeptFile } // to import a map from
   | { kind: "shapes"; file: KeptFile } // GeoJSON without buildings: to import, or to lay over a map
+  | { kind: "zones"; name: string; value: unknown } // GeoJSON whose features say what kind of zone they are
   | { kind: "mission"; query: string }
   | { kind: "mission file"; value: Record<string, unknown> }
   | { kind: "plan"; plan: Plan };
@@ -32,6 +33,7 @@ export async function understood(files: readonly File[]): Promise<Given> {
     throw new NotUnderstood("One at a time: choose one file, or the YAML and the image of one ROS map.");
   }
   await refuseOtherMapData(kept[0]!);
+  if (await areZones(kept[0]!)) return { kind: "zones", name: kept[0]!.name, value: inJson(await kept[0]!.bytes.text(), kept[0]!.name) };
   if (await isMapData(kept[0]!)) return { kind: (await areShapes(kept[0]!)) ? "shapes" : "map data", file: kept[0]! };
   return (await inText(kept[0]!)) ?? { kind: "map", file: kept[0]! };
 }
@@ -56,6 +58,12 @@ async function areShapes({ bytes }: KeptFile): Promise<boolean> {
   if (bytes.size > mostText) return false;
   const text = await bytes.text();
   return text.trimStart().startsWith("{") && !/"building"\s*:/.test(text);
+}
+
+async function areZones({ bytes }: KeptFile): Promise<boolean> {
+  if (bytes.size > mostText) return false;
+  const text = await bytes.text();
+  return text.trimStart().startsWith("{") && !isOurs(text) && /"zone"\s*:\s*"(no_fly|keep_out)"/.test(text);
 }
 
 // What the command imports, and the service does not take: they are several files, or name others.
@@ -86,18 +94,20 @@ export async function missionInText(text: string): Promise<string | null> {
 async function inText({ name, bytes }: KeptFile): Promise<Given | null> {
   if (bytes.size > mostText) return null;
   const text = await bytes.text();
-  if (text.trimStart().startsWith("{")) return inJson(text, name);
+  if (text.trimStart().startsWith("{")) return missionOrPlan(inJson(text, name), name);
   const query = text.length < 500_000 ? await missionInText(text) : null;
   return /^\s*(https?:|\[InternetShortcut\])/.test(text) && query ? { kind: "mission", query } : null;
 }
 
-function inJson(text: string, name: string): Given {
-  let value: unknown;
+function inJson(text: string, name: string): unknown {
   try {
-    value = JSON.parse(text);
+    return JSON.parse(text);
   } catch {
     throw new NotUnderstood(`“${name}” is no complete JSON.`);
   }
+}
+
+function missionOrPlan(value: unknown, name: string): Given {
   if (isPlan(value)) return { kind: "plan", plan: value };
   if (isMissionFile(value)) return { kind: "mission file", value };
   throw new NotUnderstood(`“${name}” is neither a plan nor a mission of waybreaker.`);

@@ -1,5 +1,7 @@
 // Opens what a person gives: files that are dropped or chosen, links.
+import { cellsAt } from "../domain/map";
 import type { Plan } from "../domain/plan";
+import { isInCells, zonesOf } from "../domain/zone";
 import { type Given, NotUnderstood, understood } from "./given";
 import type { KeptFile } from "./kept_file";
 import { encodeLink, mapOfLink } from "./link";
@@ -14,6 +16,7 @@ export function openFiles(studio: Studio, files: readonly File[]): Promise<void>
     else if (!studio.client.imports && (given.kind === "map data" || given.kind === "shapes")) throw needsService(given.file);
     else if (given.kind === "map data") await studio.importer.begin(given.file);
     else if (given.kind === "shapes") await openShapes(studio, given.file);
+    else if (given.kind === "zones") openZones(studio, given);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
     else if (given.kind === "mission") await openMission(studio, given.query);
     else await openMissionFile(studio, given.value);
@@ -29,6 +32,18 @@ async function openShapes(studio: Studio, file: KeptFile): Promise<void> {
   const map = studio.page.shown.value?.base.description;
   if (map?.georeference) studio.overlays.begin(file, map.id);
   else await studio.importer.begin(file);
+}
+
+// Zones are added to those that are there; one step back takes them away again.
+function openZones(studio: Studio, { name, value }: { name: string; value: unknown }): void {
+  const place = studio.page.shown.value?.base.description.georeference;
+  if (!place && !isInCells(value)) {
+    throw new NotUnderstood(`The zones in “${name}” are in longitude and latitude, and the map does not say where it lies.`);
+  }
+  const zones = zonesOf(value, place && cellsAt(place.to_lon_lat));
+  if (!zones) throw new NotUnderstood(`“${name}” is no collection of zones: each needs a polygon, and "no_fly" or "keep_out".`);
+  studio.zones.add(zones);
+  studio.page.notify("info", zones.length === 1 ? "A zone is added." : `${zones.length} zones are added.`);
 }
 
 // Files of a map that the service no longer has.

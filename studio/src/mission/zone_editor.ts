@@ -25,6 +25,10 @@ export class ZoneEditor {
     this.#change((zones) => [...zones, zone]);
   }
 
+  add(zones: readonly Zone[]): void {
+    this.#change((before) => [...before, ...zones]);
+  }
+
   rename(index: number, name: string): void {
     this.#replace(index, { name }, `name of zone ${index}`);
   }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/domain/geometry";
-import { faultOfRing, parseZones, renamedIn, type Zone, zoneCollection, zonesOf, zonesText, zoneWords } from "../../src/domain/zone";
+import { cellsAt } from "../../src/domain/map";
+import { faultOfRing, isInCells, parseZones, renamedIn, type Zone, zoneCollection, zonesOf, zonesText, zoneWords } from "../../src/domain/zone";
 
 const square: Point[] = [[0, 0], [4, 0], [4, 4], [0, 4]];
 const hole: Point[] = [[1, 1], [2, 1], [2, 2]];
@@ -23,6 +24,18 @@ it("is several where a feature has several polygons", () => {
   const coordinates = [first!.geometry.coordinates, [[...hole, [1, 1]]]];
   const feature = { ...first, geometry: { type: "MultiPolygon", coordinates } };
   expect(zonesOf({ crs: "cells", features: [feature] })!.map(({ rings }) => rings.length)).toEqual([2, 1]);
+});
+
+it("is read in longitude and latitude where the map says where it lies", () => {
+  const cellAt = cellsAt([0.5, 0.25, 13, 0.1, -0.5, 52]);
+  expect(cellAt([13 + 0.5 * 4 + 0.25 * 2, 52 + 0.1 * 4 - 0.5 * 2])).toEqual([4, 2]);
+  const { features } = zoneCollection(zones);
+  const degrees = (corner: Point): Point => [13 + 0.5 * corner[0] + 0.25 * corner[1], 52 + 0.1 * corner[0] - 0.5 * corner[1]];
+  for (const { geometry } of features) geometry.coordinates = geometry.coordinates.map((ring) => ring.map(degrees));
+  const collection = { type: "FeatureCollection", features };
+  expect(isInCells(collection)).toBe(false);
+  expect(zonesOf(collection, cellAt)).toEqual(zones);
+  expect(zonesOf(collection)).toBeNull();
 });
 
 it.each([

@@ -28,7 +28,8 @@ it("tells maps, plans and missions apart by what is in them", async () => {
   const zones = [{ kind: "no_fly", name: "", agents: [], rings: [[[0, 0], [4, 0], [4, 4]]] }] satisfies Mission["zones"];
   expect(await kindOf(file("m.json", missionFile({ ...yard, zones }, tenWide, 3)))).toBe("mission file");
   const { features } = zoneCollection(zones);
-  expect(await kindOf(file("z.json", JSON.stringify({ type: "FeatureCollection", features })))).toBe("shapes");
+  expect(await kindOf(file("z.json", JSON.stringify({ type: "FeatureCollection", features })))).toBe("zones");
+  expect(await kindOf(file("z.geojson", JSON.stringify(zoneCollection(zones))))).toBe("zones");
   expect(await kindOf(file("m.url", `[InternetShortcut]\nURL=http://localhost:8080/#${query}\n`))).toBe("mission");
 });
 
