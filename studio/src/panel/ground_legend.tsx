@@ -2,6 +2,7 @@
 import { useId, useState } from "preact/hooks";
 import { type Look, looksOn } from "../domain/looks";
 import type { PageState } from "../mission/page_state";
+import { BandStrip, shownBands } from "./band_legend";
 
 const words: Record<Look, string> = {
   removable: "can be removed",
@@ -21,9 +22,10 @@ export function GroundLegend({ page }: { page: PageState }) {
   if (!cells) return null;
   const looks = looksOn(cells, page.ruled.value);
   const hasRemoved = (page.results.plans.value.after?.plan.removed.length ?? 0) > 0;
-  if (looks.length < 2) return null;
+  if (looks.length < 2 && !shownBands(page)) return null;
   return (
-    <div class="ground-legend">
+    <div class={`ground-legend ${open ? "open" : ""}`}>
+      <BandStrip page={page} />
       <ul id={id} hidden={!open} aria-label="Legend of obstacles">
         {looks.map((look) => (
           <li key={look}>
