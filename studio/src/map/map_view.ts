@@ -183,8 +183,7 @@ export class MapView implements GestureTarget {
   click(at: Point): void {
     if (this.#scene?.tool === "zone") return this.#setCorner(at);
     if (this.#scene?.tool !== "move") return;
-    const obstacle = this.#obstacleAt(at);
-    this.events.select(obstacle, obstacle === null ? null : cellAt(this.#toMap(at)));
+    this.events.select(this.#obstacleAt(at), cellAt(this.#toMap(at)));
   }
 
   // The second click of two has closed an outline.

@@ -27,9 +27,9 @@ export class BandFollower {
   }
 
   #forget(): void {
-    this.#follow(null);
-    this.#key = "";
     this.page.bands.value = null;
+    this.#key = "";
+    this.#follow(null);
   }
 
   // What was shown stays until the next bands are there. Null: there is none to follow now.

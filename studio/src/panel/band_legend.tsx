@@ -19,7 +19,7 @@ export function BandStrip({ page }: { page: PageState }) {
   const title = bands.isInbound ? "Ground by when one is at the goal" : "Ground by when it is reached";
   return (
     <div class={`band-strip ${page.bandsAreOld.value ? "old" : ""} ${here && pointed.value?.isChosen ? "chosen" : ""}`}>
-      <p aria-hidden="true">{page.bandsAreOld.value ? "From before your last change" : here || title}</p>
+      <p aria-hidden="true">{page.bandsAreOld.value ? "Of the plan before" : here || title}</p>
       <ul aria-hidden="true">
         {bands.ends.map((end, i) => (
           <li key={end}>
@@ -40,16 +40,17 @@ export function BandList({ page }: { page: PageState }) {
   if (!bands) return null;
   const units = page.units.value;
   return (
-    <div class="bands">
+    <div class="bands" aria-busy={page.bandsAreOld.value}>
       <ul aria-label="Bands of time, and how much of the ground they are">
         {bandLines(bands, units).map(({ look, band, text, share }) => (
           <li key={text}>
             <span class={`swatch swatch-${look} ${look === "band" ? `swatch-band-${band}` : ""}`} aria-hidden="true" />
-            {text}
+            {`${text} `}
             <span class="band-share">{share}</span>
           </li>
         ))}
       </ul>
+      {page.bandsAreOld.value && <p>Of the plan before: new ones are being worked out.</p>}
       {gainsNothing(bands) && <p>No ground is reached clearly sooner.</p>}
     </div>
   );

@@ -1,15 +1,8 @@
 // Bands of time as pixels of a tile: a colour for each, hatched where a plan gains, dotted where nobody comes.
 import { type Bands, gain } from "../../domain/bands";
+import type { BandColours } from "../viewport/theme";
 import { pixelOf } from "./pixel";
 import { span, type TileId, tileSize } from "./tiles";
-
-export interface BandColours {
-  bands: readonly string[]; // soonest first
-  unreached: string;
-  dot: string; // on what is not reached
-  hatch: string;
-  hatchHalo: string; // beside it: each shows on light and on dark ground
-}
 
 // RGBA of tileSize² pixels, clear where obstacles stand. Patterns go on from tile to tile, whose side is a multiple of theirs.
 export function bandPixels(bands: Bands, tile: TileId, colours: BandColours): Uint32Array<ArrayBuffer> {

@@ -3,7 +3,15 @@
 // apart for all kinds of colour vision as tests/map/viewport/theme.test.ts says; those of the ground in greyscale, too.
 import type { AgentLook } from "../../domain/agents";
 import type { Look } from "../../domain/looks";
-import type { BandColours } from "../tiles/band_pixels";
+
+// Ground by when it is reached.
+export interface BandColours {
+  bands: readonly string[]; // soonest first, each lighter than the one before
+  unreached: string;
+  dot: string; // on what is not reached
+  hatch: string; // where a plan gains
+  hatchHalo: string; // beside it: each shows on light and on dark ground
+}
 
 export interface Theme {
   outside: string; // beyond the map
@@ -18,7 +26,7 @@ export interface Theme {
   green: string;
   greenName: string;
   obstacles: Record<Look, { fill: string; edge: string }>;
-  reach: BandColours; // each band is lighter than the one before
+  reach: BandColours;
   removed: string;
   removedTint: string; // under the hatching
   breach: string; // carries figures in `onBreach`
@@ -125,7 +133,7 @@ export const dark: Theme = {
     unknown: { fill: "#101214", edge: "#848b94" },
   },
   reach: {
-    bands: ["#095d6c", "#1b747b", "#318e8c", "#57a89c", "#82c0af", "#b0d8c8"],
+    bands: ["#0a5a56", "#1b747b", "#318e8c", "#57a89c", "#82c0af", "#b0d8c8"],
     unreached: "#25292d",
     dot: "#b3afa7",
     hatch: "#d55e00",
