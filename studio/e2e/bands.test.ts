@@ -6,6 +6,7 @@ import { expect, it } from "vitest";
 import { Bands, type ReachDocument } from "../src/domain/bands";
 import type { Cell } from "../src/domain/geometry";
 import type { Plan } from "../src/domain/plan";
+import { toScreen, wholeMap } from "../src/map/viewport/camera";
 import { type BandColours, dark, light } from "../src/map/viewport/theme";
 import { bandsHere } from "../src/mission/band_words";
 import { command, data } from "./command";
@@ -71,7 +72,8 @@ function evenCells({ width, height, after, gains }: Bands): { cell: Cell; band: 
 // The colours of pixels around cells while all of the map is shown.
 async function coloursAround(studio: StudioPage, cells: readonly Cell[], map: Bands, by: number): Promise<string[][]> {
   const box = (await studio.map().boundingBox())!;
-  const places = await Promise.all(cells.map((cell) => studio.place(cell, map)));
+  const camera = wholeMap(map, box);
+  const places = cells.map((cell) => toScreen(camera, box, cell));
   return studio.map().evaluate(
     (canvas, [points, reach]) => {
       const { width, height } = canvas as HTMLCanvasElement;
@@ -83,7 +85,7 @@ async function coloursAround(studio: StudioPage, cells: readonly Cell[], map: Ba
         return Array.from({ length: side * side }, (_, k) => hex(4 * (first + Math.floor(k / side) * width + (k % side))));
       });
     },
-    [places.map(({ x, y }) => [x - box.x, y - box.y]), by] as const,
+    [places, by] as const,
   );
 }
 
@@ -180,6 +182,7 @@ it("are readable on a phone, in the dark", async () => {
   expect(await studio.accessibilityFaults()).toEqual([]);
   await page.getByRole("button", { name: "Legend" }).click();
   await page.locator(".band-strip").getByText("Ground by when it is reached").waitFor();
+  await page.getByRole("list", { name: "Legend of the map" }).getByText(/or more sooner/).waitFor();
   expect(await studio.cutOff(".map-box *")).toEqual([]);
   expect(await studio.accessibilityFaults()).toEqual([]);
   expect(studio.faults).toEqual([]);
