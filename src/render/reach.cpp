@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <string_view>
 
+#include "render/bands.hpp"
 #include "render/caption.hpp"
 #include "render/outline.hpp"
 #include "render/palette.hpp"
@@ -18,95 +17,12 @@
 namespace waybreaker::render {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-// The least step of 1, 1.5, 2, ... 8 times a power of ten of which so many make `whole`.
-double round_step(double whole, int most) {
-    const double least = whole / most;
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double digits : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-        if (digits * power >= least) return digits * power;
-    }
-    return 10 * power;
+Bands bands_of(const Scene& scene) {
+    return {*scene.options.reach, scene.mission, time_factor(scene.mission, scene.options)};
 }
 
-// Times of bands, as the picture shows times.
-class Bands {
-  public:
-    explicit Bands(const Scene& scene)
-        : factor_(time_factor(scene.mission, scene.options)),
-          unreached_(scene.mission.rules.unreached.value_or(std::numeric_limits<double>::max())) {
-        double latest = 0;
-        for (const auto* times : {&scene.options.reach->before, &scene.options.reach->after}) {
-            for (const float time : *times) {
-                if (is_reached(time)) latest = std::max(latest, shown(time));
-            }
-        }
-        step_ = round_step(std::max(latest, 1e-6), int(colour::bands.size()));
-        count_ = std::min(std::size_t(std::ceil(latest / step_)), colour::bands.size());
-    }
-
-    bool is_reached(float time) const { return time <= unreached_; }
-    // 0 is the first one.
-    std::size_t of(float time) const {
-        return std::min(std::size_t(shown(time) / step_), std::max<std::size_t>(count_, 1) - 1);
-    }
-    std::size_t count() const { return count_; }
-    double end(std::size_t band) const { return step_ * double(band + 1); }
-    // What is clearly sooner: a tenth of a band.
-    double clear_gain() const { return step_ / 10; }
-    bool only_now(float before, float after) const { return is_reached(after) && !is_reached(before); }
-    bool sooner(float before, float after) const {
-        return is_reached(before) && is_reached(after) && shown(before) - shown(after) >= clear_gain();
-    }
-
-  private:
-    double shown(float time) const { return double(time) * factor_; }
-
-    double factor_;
-    double unreached_;
-    double step_ = 1;
-    std::size_t count_ = 0;
-};
-
-// What a drawn cell shows.
-struct Raster {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint32_t> bands;  // 0: an obstacle; 1 to the number of bands; above: not reached
-    std::vector<std::uint32_t> gains;  // 1: sooner, 2: only now
-};
-
-Raster raster_of(const Scene& scene, const Bands& bands) {
-    const Map& map = scene.map;
-    const Reach& reach = *scene.options.reach;
-    const int step = scene.layout.sample_step;
-    Raster raster{(map.width() + step - 1) / step, (map.height() + step - 1) / step, {}, {}};
-    std::vector<ObstacleId> removed;
-    for (const Breach& breach : scene.plan.breaches) removed.push_back(breach.obstacle);
-    const OpenedMap opened(map, removed);
-    for (int row = 0; row < raster.height; ++row) {
-        for (int column = 0; column < raster.width; ++column) {
-            float before = infinity;
-            float after = infinity;
-            bool was_free = false;
-            bool is_free = false;
-            for (int y = row * step; y < std::min((row + 1) * step, map.height()); ++y) {
-                for (int x = column * step; x < std::min((column + 1) * step, map.width()); ++x) {
-                    const std::size_t at = std::size_t(y) * std::size_t(map.width()) + std::size_t(x);
-                    before = std::min(before, reach.before[at]);
-                    after = std::min(after, reach.after[at]);
-                    was_free = was_free || !map.grid().blocked({x, y});
-                    is_free = is_free || !opened.blocked({x, y});
-                }
-            }
-            const std::size_t band = bands.is_reached(after) ? bands.of(after) : bands.count();
-            raster.bands.push_back(is_free ? std::uint32_t(band + 1) : 0);
-            const bool only_now = was_free && bands.only_now(before, after);
-            raster.gains.push_back(only_now ? 2 : bands.sooner(before, after) ? 1 : 0);
-        }
-    }
-    return raster;
+BandRaster raster_of(const Scene& scene, const Bands& bands) {
+    return band_raster(scene.map, scene.plan, *scene.options.reach, bands, scene.layout.sample_step);
 }
 
 constexpr std::array<std::string_view, 2> gain_fills{"url(#sooner)", "url(#onlynow)"};
@@ -136,7 +52,7 @@ struct Place {
 
 std::vector<Place> gains_of_places(const Scene& scene) {
     const Reach& reach = *scene.options.reach;
-    const Bands bands(scene);
+    const Bands bands = bands_of(scene);
     std::vector<Place> places;
     for (std::size_t i = 0; i < scene.mission.agents.size(); ++i) {
         const Agent& agent = scene.mission.agents[i];
@@ -175,9 +91,9 @@ std::string place_sign(Point at, Gain gain, double radius, double unit) {
 }  // namespace
 
 std::string draw_bands(const Scene& scene) {
-    const Bands bands(scene);
-    const Raster raster = raster_of(scene, bands);
-    const std::vector<std::string> grounds = outlines({raster.width, raster.height, raster.bands}, bands.count() + 1);
+    const Bands bands = bands_of(scene);
+    const BandRaster raster = raster_of(scene, bands);
+    const std::vector<std::string> grounds = outlines({raster.width, raster.height, raster.after}, bands.count() + 1);
     const Point origin{scene.layout.map.x, scene.layout.map.y};
     const double scale = scene.raster_scale();
     std::string drawn;
@@ -221,8 +137,8 @@ std::string drive_sign(const std::vector<Point>& path, double unit) {
 
 std::vector<LegendEntry> reach_legend(const Scene& scene) {
     const double unit = scene.unit();
-    const Bands bands(scene);
-    const Raster raster = raster_of(scene, bands);
+    const Bands bands = bands_of(scene);
+    const BandRaster raster = raster_of(scene, bands);
     const double scale = scene.raster_scale();
     const auto swatch = [&](std::string_view fill) {
         const std::string box = fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", 34 * unit / scale, 16 * unit / scale);
@@ -231,7 +147,7 @@ std::vector<LegendEntry> reach_legend(const Scene& scene) {
     std::vector<LegendEntry> entries;
     for (std::size_t i = 0; i < bands.count(); ++i)
         entries.push_back({swatch(colour::bands[i]), "reached by " + time_words(bands.end(i), scene)});
-    if (std::ranges::count(raster.bands, bands.count() + 1) > 0)
+    if (std::ranges::count(raster.after, bands.count() + 1) > 0)
         entries.push_back({swatch("url(#unreached)"), "not reached"});
     const std::array<std::string, 2> words{fmt::format("{} or more sooner", time_words(bands.clear_gain(), scene)),
                                            "reached only now"};

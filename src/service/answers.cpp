@@ -28,6 +28,7 @@
 #include "mission/reach.hpp"
 #include "raster/png.hpp"
 #include "render/plan_picture.hpp"
+#include "render/reach_json.hpp"
 #include "service/responses.hpp"
 #include "studio/plan_html.hpp"
 #include "waybreaker/error.hpp"
@@ -162,7 +163,8 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
                                                       {"xml", "application/xml"},
                                                       {"svg", "image/svg+xml"},
                                                       {"png", "image/png"},
-                                                      {"html", "text/html; charset=utf-8"}};
+                                                      {"html", "text/html; charset=utf-8"},
+                                                      {"reach", json_type}};
 
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
@@ -175,6 +177,7 @@ std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const
     if (format == "svg") return drawn(file, plan);
     if (format == "png") return raster::png_of(drawn(file, plan));
     if (format == "html") return studio::plan_html(file, std::array{studio::NamedPlan{"plan", bytes}});
+    if (format == "reach") return render::reach_json(file, plan, reach_of(file.map, plan.asked.mission, plan.plan));
     return bytes;
 }
 

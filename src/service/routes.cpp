@@ -220,7 +220,7 @@ Route export_route(MapStore& store) {
         const std::string format = call.request.query.get("format");
         if (!is_export_format(format)) {
             throw http::Problem(http::bad_request,
-                                "format is none of json, geojson, csv, ros-path, xml, svg, png, html");
+                                "format is none of json, geojson, csv, ros-path, xml, svg, png, html, reach");
         }
         require_size(call.request, "a plan");
         return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body), format,

@@ -1,6 +1,7 @@
 #include "studio/plan_html.hpp"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "io/background_json.hpp"
@@ -11,17 +12,21 @@
 #include "mapfile/map_info.hpp"
 #include "mission/reach.hpp"
 #include "render/plan_picture.hpp"
+#include "render/reach_json.hpp"
 #include "studio/plan_page.hpp"
 
 namespace waybreaker::studio {
 
 namespace {
 
-StillPlan still_of(const io::MapFile& map, const std::string& plan) {
-    const io::PlanFile file = io::parse_plan(plan, "the plan");
+StillPlan still_of(const io::MapFile& map, const io::PlanFile& plan, std::optional<Reach> reach) {
     return {.title = "Plan: " + map.name(),
-            .sentence = render::plan_sentence(map, file),
-            .picture = render::plan_svg(map, file, reach_of(map.map, file.asked.mission, file.plan))};
+            .sentence = render::plan_sentence(map, plan),
+            .picture = render::plan_svg(map, plan, std::move(reach))};
+}
+
+std::optional<Reach> reach_on(const io::MapFile& map, const io::PlanFile& plan) {
+    return reach_of(map.map, plan.asked.mission, plan.plan);
 }
 
 }  // namespace
@@ -40,14 +45,18 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
     }
     data += "]";
     if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();
+    const io::PlanFile first = io::parse_plan(plans.front().json, "the plan");
+    const std::optional<Reach> reach = reach_on(map, first);
+    if (reach) data += ",\n\"reach\": " + render::reach_json(map, first, reach);
     data += "}";
-    return plan_page(still_of(map, plans.front().json), data);
+    return plan_page(still_of(map, first, reach), data);
 }
 
 std::string steerable_html(const io::MapFile& map, Connectivity connectivity, const std::string& plan,
                            std::string planner) {
     const io::MapPlace place{.georeference = mapfile::georeference_json(map), .frame_crs = mapfile::frame_crs(map)};
-    return plan_page(still_of(map, plan),
+    const io::PlanFile file = io::parse_plan(plan, "the plan");
+    return plan_page(still_of(map, file, reach_on(map, file)),
                      CarriedPlanner{.map = io::map_document(map.source, {map, connectivity, place}),
                                     .plan = plan,
                                     .planner = std::move(planner)});

@@ -7,6 +7,7 @@
 #include "io/plan_geojson.hpp"
 #include "mission/reach.hpp"
 #include "render/plan_picture.hpp"
+#include "render/reach_json.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::web {
@@ -34,9 +35,11 @@ std::string exported(const io::DocumentedMap& map, const std::string& bytes, con
     if (format == "json") return bytes;
     if (format == "geojson") return io::plan_geojson(plan.plan, map.file, to_lon_lat(map.place), units);
     if (format == "csv") return io::plan_csv(plan.plan, map.file, to_lon_lat(map.place), units);
-    if (format != "svg") throw InputError("the format is none of json, geojson, csv, svg");
+    const auto reach = [&] { return reach_of(map.file.map, plan.asked.mission, plan.plan); };
+    if (format == "reach") return render::reach_json(map.file, plan, reach());
+    if (format != "svg") throw InputError("the format is none of json, geojson, csv, svg, reach");
     if (plan.plan.agents.empty()) throw InputError("the plan has no agents to draw");
-    return render::plan_svg(map.file, plan, reach_of(map.file.map, plan.asked.mission, plan.plan));
+    return render::plan_svg(map.file, plan, reach());
 }
 
 }  // namespace waybreaker::web

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include "picture_words.hpp"
 #include "render/palette.hpp"
+#include "render/reach_json.hpp"
 #include "worlds.hpp"
 
 namespace waybreaker::render {
@@ -74,6 +76,48 @@ TEST(PictureOfPlaces, SaysNothingOfWhatThereIsNot) {
         EXPECT_FALSE(says(picture, words)) << words;
     EXPECT_TRUE(says(picture, "4 places"));
     EXPECT_EQ(areas(picture, "url(#sooner)"), 0U);
+}
+
+// As the page has them.
+nlohmann::json document(const Opened& opened, io::MapFile map) {
+    io::PlanFile plan;
+    plan.asked.mission = opened.world.mission;
+    plan.plan = opened.world.plan;
+    return nlohmann::json::parse(reach_json(map, plan, opened.options.reach));
+}
+
+std::vector<int> cells_of(const nlohmann::json& runs) {
+    std::vector<int> cells;
+    for (std::size_t i = 0; i < runs.size(); i += 2) cells.insert(cells.end(), runs[i + 1].get<std::size_t>(), runs[i]);
+    return cells;
+}
+
+TEST(ReachAsData, HasTheBandsOfThePicture) {
+    const Opened opened;
+    const auto json = document(opened, {.map = opened.world.map});
+    EXPECT_EQ(json["format"], "waybreaker-reach/1");
+    EXPECT_EQ(json["hubs"], nlohmann::json::parse("[[0, 0]]"));
+    EXPECT_EQ(json["inbound"], false);
+    EXPECT_EQ(json["bands"], nlohmann::json::parse("[2.5, 5, 7.5, 10, 12.5, 15]"));
+    EXPECT_EQ(json["sooner"], 0.25);
+    EXPECT_EQ(cells_of(json["before"]), (std::vector{1, 1, 0, 7, 5, 6, 7, 7}));
+    EXPECT_EQ(cells_of(json["after"]), (std::vector{1, 1, 2, 3, 3, 3, 4, 7}));
+    EXPECT_EQ(cells_of(json["gains"]), (std::vector{0, 0, 0, 2, 1, 1, 2, 0}));
+    EXPECT_EQ(json["after"][2], 2) << "runs are as long as can be";
+}
+
+TEST(ReachAsData, IsInUnitsOfTimeWhereThePictureShowsSeconds) {
+    // All speeds are 1: a unit of time is what a metre a second takes for a cell, here two seconds.
+    const Opened opened;
+    const auto json = document(opened, {.map = opened.world.map, .cell_size = 2});
+    EXPECT_EQ(json["bands"], nlohmann::json::parse("[2.5, 5, 7.5, 10, 12.5, 15]"));
+}
+
+TEST(ReachAsData, HasNoBandsWithoutReach) {
+    Opened opened;
+    opened.options.reach.reset();
+    EXPECT_EQ(document(opened, {.map = opened.world.map}),
+              nlohmann::json::parse(R"({"format": "waybreaker-reach/1", "width": 8, "height": 1, "bands": []})"));
 }
 
 TEST(PictureOfPlaces, IsThatOfATeamWithoutReach) {

@@ -162,7 +162,7 @@ TEST_F(ServiceTest, NoPlanIsAnAnswer) {
 TEST_F(ServiceTest, ExportsWhatIsValid) {
     begin();
     const Json plan = post_json(house + "/plan", house_mission);
-    for (const std::string format : {"json", "csv", "ros-path", "xml", "svg", "png", "html"}) {
+    for (const std::string format : {"json", "csv", "ros-path", "xml", "svg", "png", "html", "reach"}) {
         const auto answer = post(house + "/export?format=" + format, plan.dump());
         EXPECT_EQ(answer.status, 200) << format << answer.body;
         EXPECT_FALSE(answer.body.empty());
@@ -181,6 +181,22 @@ TEST_F(ServiceTest, ExportsWhatIsValid) {
     Json wrong = plan;
     wrong["after"]["makespan"] = 1;
     post_json(house + "/export?format=csv", wrong, 422);
+}
+
+TEST_F(ServiceTest, ExportsBandsOfManyPlaces) {
+    begin();
+    const Json mission = Json::parse(R"({"format": "waybreaker-mission/1", "agents": [
+        {"id": "a", "kind": "ground", "start": [0, 0], "goal": [0, 0]},
+        {"id": "b", "kind": "ground", "start": [0, 0], "goal": [2, 0]},
+        {"id": "air", "kind": "air", "start": [0, 0], "goal": [0, 0]}],
+        "rules": {"removals": 1, "collisions": false, "objective": "flowtime", "unreached": 50}})");
+    const Json plan = post_json(maps + "/wall.map/plan", mission);
+    const Json reach = post_json(maps + "/wall.map/export?format=reach", plan);
+    EXPECT_EQ(reach["format"], "waybreaker-reach/1");
+    EXPECT_FALSE(reach["bands"].empty());
+    EXPECT_EQ(reach["gains"], Json::parse("[0, 2, 2, 1]"));  // behind the wall, only now
+    const Json other = post_json(house + "/plan", house_mission);
+    EXPECT_EQ(post_json(house + "/export?format=reach", other)["bands"], Json::array());
 }
 
 TEST_F(ServiceTest, KeepsUploadsInMemory) {

@@ -58,6 +58,17 @@ function kept(page: StudioPage): Promise<string[]> {
 }
 
 describe("a site", () => {
+  it("has bands of time, as a server has", async () => {
+    const places = "100,55,481,440,2.4,,,school~100,55,348,47,2.4,,,mill";
+    const rules = "removals=1&objective=flowtime&collisions=false&unreached=620";
+    const page = await opened(`?map=berlin-mitte.tif&vehicles=${places}&aircraft=,,100,55,2.4,,air,,,,0&${rules}`);
+    const list = page.page.locator('.bands[aria-busy="false"]').getByRole("list", { name: /^Bands of time/ });
+    await list.getByText(/^reached by 12\smin 30\ss/).waitFor();
+    await list.getByText(/^15\ss or more sooner/).waitFor();
+    expect(page.faults).toEqual([]);
+    await page.close();
+  });
+
   it("plans in the page, and the command accepts the plan", async () => {
     const page = await opened();
     const plan = await planOf(page);

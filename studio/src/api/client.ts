@@ -1,5 +1,6 @@
 // What answers the page: the service over HTTP (http_client.ts), or the page itself, by a planner that it brings along
 // (local_client.ts). Every failure is a ServiceError with a sentence for people.
+import type { ReachDocument } from "../domain/bands";
 import type { ImportRequest, Source } from "../domain/extract";
 import type { Run } from "../domain/geometry";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
@@ -23,6 +24,7 @@ export interface Client {
   ): Promise<Plan>;
   check(id: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
   exported(id: string, plan: Plan, format: ExportFormat): Promise<Blob>;
+  reach(id: string, plan: Plan, signal?: AbortSignal): Promise<ReachDocument>;
   hasFile(id: string): boolean;
   file(id: string): Promise<{ bytes: Blob; name: string }>;
 

@@ -1,4 +1,5 @@
 // The client of a service over HTTP. Requests to a busy server are retried.
+import type { ReachDocument } from "../domain/bands";
 import type { ImportRequest, Source } from "../domain/extract";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
@@ -113,6 +114,10 @@ export class HttpClient implements Client {
   async exported(id: string, plan: Plan, format: ExportFormat): Promise<Blob> {
     const answer = await this.ask(`${mapPath(id, "export")}?format=${format}`, { method: "POST", json: plan });
     return answer.blob();
+  }
+
+  reach(id: string, plan: Plan, signal?: AbortSignal): Promise<ReachDocument> {
+    return this.json(`${mapPath(id, "export")}?format=reach`, { method: "POST", json: plan, signal });
   }
 
   hasFile(): boolean {

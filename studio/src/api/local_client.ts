@@ -1,5 +1,6 @@
 // The client of a page without a service: maps are files beside the page, as `waybreaker site` writes them, or in it
 // (carried.ts), and a planner in Workers answers the rest.
+import type { ReachDocument } from "../domain/bands";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
 import {
@@ -121,6 +122,12 @@ export class LocalClient implements Client {
     const call = { what: "export", map: id, plan: JSON.stringify(plan), format: drawn } as const;
     const text = await this.#workers.ask(call, { needs: id });
     return format === "png" ? pngOf(text) : new Blob([text], { type: types[format] });
+  }
+
+  async reach(id: string, plan: Plan, signal?: AbortSignal): Promise<ReachDocument> {
+    await this.#load(id, signal);
+    const call = { what: "export", map: id, plan: JSON.stringify(plan), format: "reach" } as const;
+    return JSON.parse(await this.#workers.ask(call, { needs: id, signal })) as ReachDocument;
   }
 
   hasFile(id: string): boolean {

@@ -42,6 +42,7 @@ export interface Mission {
   zones: readonly Zone[];
   also: Also; // what there is no control for
   layers: readonly LayerName[];
+  bands: boolean; // of time, where there are any
   time: number | null; // where playback stands
 }
 
@@ -63,6 +64,7 @@ export const defaults = {
   zones: [] as readonly Zone[],
   also: {} as Also,
   layers: ["before", "after"] as readonly LayerName[],
+  bands: true,
   time: null,
 } satisfies Omit<Mission, "map" | "agents">;
 
@@ -114,9 +116,11 @@ export function withEnoughRemovals(mission: Mission): Mission {
   return removals === "auto" || removals >= forced ? mission : { ...mission, removals: forced };
 }
 
+const shownOnly = ["layers", "bands", "time"];
+
 // Whether a plan of one mission is a plan of the other: how a mission is displayed does not matter.
 export function asksTheSame(a: Mission, b: Mission): boolean {
-  const names = Object.keys(defaults).filter((name) => name !== "layers" && name !== "time");
+  const names = Object.keys(defaults).filter((name) => !shownOnly.includes(name));
   return ["map", "agents", ...names].every((name) => {
     const [one, other] = [a[name as keyof Mission], b[name as keyof Mission]];
     return one === other || text(one) === text(other);

@@ -1,6 +1,7 @@
 // What the map shows, as a value, and what people do to it. The map draws scenes and knows no server, no URL and no
 // panel.
 import type { Agents, Handle, AgentLook } from "./agents";
+import type { Bands } from "./bands";
 import type { CellMap } from "./cell_map";
 import type { Cell, Point, Run } from "./geometry";
 import type { Ruled } from "./looks";
@@ -25,6 +26,7 @@ export interface Scene {
   agents: Agents;
   looks: ReadonlyMap<string, AgentLook>; // of a team: by id
   chosen: number | null; // the agent that is chosen in a list
+  bands: Bands | null; // of time, in place of what lies around
   layers: Layer[]; // those shown; the last is on top
   marks: ReadonlyMap<number, Mark>; // by obstacle
   ruled: Ruled; // what is protected by tag or name
@@ -55,6 +57,7 @@ export interface SceneEvents {
   select(obstacle: number | null, at: Cell | null): void;
   choose(agent: number): void; // a click on a marker of it
   hover(obstacle: number | null): void;
+  passOver(cell: Cell | null): void; // where there are bands of time, once for each cell; null: off the map
   draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
   outline(corners: readonly Point[], done: boolean): void; // of a zone, with each corner; `done` when it is closed
   // While rubble is held over the map, once for each cell it comes to; `done` when it is dropped. Null: it is not.

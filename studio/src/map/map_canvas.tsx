@@ -35,6 +35,7 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       drag: (handle, cell, done) => latest.current.drag(handle, cell, done),
       select: (obstacle, at) => latest.current.select(obstacle, at),
       hover: (obstacle) => latest.current.hover(obstacle),
+      passOver: (cell) => latest.current.passOver(cell),
       choose: (agent) => latest.current.choose(agent),
       draw: (tool, runs) => latest.current.draw(tool, runs),
       outline: (corners, done) => latest.current.outline(corners, done),
@@ -67,8 +68,8 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
         aria-describedby={help}
       />
       <p id={help} class="map-help">
-        Arrow keys move the map, plus and minus zoom, 0 shows all of it, Enter selects the obstacle in the middle, Escape
-        selects none, and in a rehearsal the context menu says what can happen there. While a zone is drawn, Enter sets a
+        Arrow keys move the map, plus and minus zoom, 0 shows all of it, Enter selects the obstacle in the middle, or
+        says by when the ground there is reached, Escape selects none, and in a rehearsal the context menu says what can happen there. While a zone is drawn, Enter sets a
         corner in the middle, Enter again at the same place closes the zone, Backspace takes the last corner back. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
       </p>
       <MarkerButtons scene={scene} events={events} focus={(handle) => view.current?.focusMarker(handle)} />

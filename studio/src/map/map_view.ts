@@ -55,6 +55,7 @@ export class MapView implements GestureTarget {
   #spotsKnown: { key: unknown[]; all: readonly Spot[] } | null = null;
   #focused: Handle | null = null;
   #hovered: number | null = null;
+  #passed: Cell | null = null;
   #held: Cell | null = null; // rubble
 
   constructor(
@@ -80,7 +81,7 @@ export class MapView implements GestureTarget {
       const edited = before !== null && samePlace(before, scene);
       this.#newTiles(edited);
       this.#viewpoint.lookAt(scene.map, edited);
-    } else if (scene.ruled !== before.ruled) {
+    } else if (scene.ruled !== before.ruled || scene.bands !== before.bands) {
       this.#newTiles(true);
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
@@ -173,6 +174,7 @@ export class MapView implements GestureTarget {
     if (scene.tool === "zone") this.#outline.hover(at && this.#toMap(at));
     else if (scene.tool !== "move") this.#sketch.hover(at);
     if (scene.tool !== "move") this.#surface.ask();
+    if (scene.bands) this.#passOver(at && cellAt(this.#toMap(at)));
     if (obstacle === this.#hovered) return;
     this.#hovered = obstacle;
     this.events.hover(obstacle);
@@ -181,8 +183,7 @@ export class MapView implements GestureTarget {
   click(at: Point): void {
     if (this.#scene?.tool === "zone") return this.#setCorner(at);
     if (this.#scene?.tool !== "move") return;
-    const obstacle = this.#obstacleAt(at);
-    this.events.select(obstacle, obstacle === null ? null : cellAt(this.#toMap(at)));
+    this.events.select(this.#obstacleAt(at), cellAt(this.#toMap(at)));
   }
 
   // The second click of two has closed an outline.
@@ -255,6 +256,12 @@ export class MapView implements GestureTarget {
     this.events.select(null, null);
   }
 
+  #passOver(cell: Cell | null): void {
+    if (cell?.join() === this.#passed?.join()) return;
+    this.#passed = cell;
+    this.events.passOver(cell);
+  }
+
   #setCorner(at: Point): void {
     this.#setOutline(() => this.#outline.add(this.#toMap(at), this.#viewpoint.camera.scale));
   }
@@ -309,9 +316,9 @@ export class MapView implements GestureTarget {
 
   #newTiles(keepOld: boolean): void {
     if (!this.#scene || !this.#ground) return this.#surface.ask();
-    const { map, cells, ruled } = this.#scene;
+    const { map, cells, ruled, bands } = this.#scene;
     const { theme, pixelRatio } = this.#surface;
-    this.#tiles.use(new TilePainter(map, cells, ruled, this.#ground, theme, pixelRatio), keepOld);
+    this.#tiles.use(new TilePainter(map, cells, ruled, this.#ground, theme, pixelRatio, bands), keepOld);
     this.#surface.ask();
   }
 

@@ -58,6 +58,7 @@ export function encodeLink(mission: Mission, width: number, usualRadius: number 
   if (mission.erased.length > 0) query.push(["erased", encodeRuns(mission.erased)]);
   if (mission.zones.length > 0) query.push(["zones", zonesText(mission.zones)]);
   if (mission.layers.join() !== defaults.layers.join()) query.push(["show", mission.layers.join()]);
+  if (!mission.bands) query.push(["bands", "false"]);
   if (mission.time !== null) query.push(["time", String(Math.round(mission.time * 100) / 100)]);
   // Commas and colons need no escape in a query, and are easier to read without.
   const escaped = (value: string) => encodeURIComponent(value).replaceAll("%2C", ",").replaceAll("%3A", ":");
@@ -176,6 +177,11 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
   }
   take("zones", parseZones, (zones) => (mission.zones = zones));
   take("show", layersOf, (layers) => (mission.layers = layers));
+  take(
+    "bands",
+    (text) => oneOf(["true", "false"] as const, text),
+    (text) => (mission.bands = text === "true"),
+  );
   take(
     "time",
     (text) => numberOf(text, 0, 1e9),

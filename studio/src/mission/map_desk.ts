@@ -141,7 +141,8 @@ export class MapDesk {
       batch(() => {
         if (base) this.follower.show(base);
         // Undo reverts the mission, not how it is displayed.
-        page.history.value = replace(next, { ...next.present, layers: history.present.layers });
+        const { layers, bands } = history.present;
+        page.history.value = replace(next, { ...next.present, layers, bands });
       });
       return this.follower.follow();
     };

@@ -1,7 +1,8 @@
 // What the page shows: a mission, its map and its plans. All that the viewer of a plan has; a studio can change it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import { cellOf, looksOf } from "../domain/agents";
-import type { Point } from "../domain/geometry";
+import type { Bands } from "../domain/bands";
+import type { Cell, Point } from "../domain/geometry";
 import { asksTheSame, defaults, type LayerName, type Mark, type Mission, shownPer } from "../domain/mission";
 import type { Plan } from "../domain/plan";
 import type { Reach } from "../domain/reach";
@@ -70,6 +71,12 @@ export class PageState {
     return after ? reachOf(after.plan, before?.plan ?? null) : null;
   });
 
+  readonly bands: Signal<Bands | null> = signal(null); // of time, of the last plan that they were asked for
+
+  readonly bandsAreOld = signal(false);
+  // The cell under the pointer, where there are bands; chosen by a click or a key, or just passed over.
+  readonly pointed = signal<{ cell: Cell; isChosen: boolean } | null>(null);
+
   // Whether what is shown answers an older question.
   readonly outdated = computed(() => {
     const answered = this.results.answered.value?.of;
@@ -91,6 +98,11 @@ export class PageState {
       if (!this.outdated.value) this.old.value = false;
       else timer = setTimeout(() => (this.old.value = true), moment);
     });
+  }
+
+  toggleBands(): void {
+    const history = this.history.value;
+    if (history) this.history.value = replace(history, { ...history.present, bands: !history.present.bands });
   }
 
   toggleLayer(layer: LayerName): void {

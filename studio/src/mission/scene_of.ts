@@ -35,6 +35,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     agents: mission.agents,
     looks: page.looks.value,
     chosen: page.chosenAgent.value,
+    bands: mission.bands && !rehearsed ? page.bands.value : null,
     layers,
     marks,
     ruled: page.ruled.value,

@@ -7,6 +7,7 @@ import type { Plan } from "../domain/plan";
 import { Planner } from "../planning/planner";
 import type { Judged } from "../planning/results";
 import { Rehearsal } from "../rehearse/rehearsal";
+import { BandFollower } from "./band_follower";
 import { Editor } from "./editor";
 import { Importer } from "./importer";
 import { encodeLink } from "./link";
@@ -60,6 +61,7 @@ export class Studio {
       clock: this.page.clock,
       shown: this.page.rehearsed,
     });
+    new BandFollower(this.page, client);
     this.#endRehearsals();
     effect(() => {
       const failure = results.failure.value;

@@ -1,6 +1,7 @@
 // The page of a single plan: everything is in the document, no server is needed.
 import { signal } from "@preact/signals";
 import type { CheckReport } from "../api/client";
+import { Bands, type ReachDocument } from "../domain/bands";
 import { CellMap } from "../domain/cell_map";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import { freshMission, type LayerName, type Mission } from "../domain/mission";
@@ -18,6 +19,7 @@ export interface PlanDocument {
   background: Background;
   plans: { name: "plan" | "before" | "paper"; plan: Plan; check?: CheckReport }[]; // checked when the page was written
   front?: FrontPoint[];
+  reach?: ReachDocument; // of many places
 }
 
 export function viewerOf(document: PlanDocument): PageState {
@@ -40,6 +42,7 @@ export function viewerOf(document: PlanDocument): PageState {
   const map = { description: document.map, cells, background: document.background };
   page.shown.value = { base: map, map, ids: new Translation(cells, cells, []) };
   page.history.value = begin(missionOf(document.map.id, plan, Object.keys(plans) as LayerName[]));
+  if (document.reach) page.bands.value = Bands.of(document.reach);
   page.loading.value = false;
   return page;
 }

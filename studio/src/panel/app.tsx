@@ -113,8 +113,12 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   const events = useMemo<SceneEvents>(
     () => ({
       drag: (handle, cell, done) => studio?.editor.drag(handle, cell, done),
-      select: (obstacle) => (page.selected.value = obstacle),
+      select: (obstacle, at) => {
+        page.selected.value = obstacle;
+        page.pointed.value = at && { cell: at, isChosen: true };
+      },
       hover: (obstacle) => (page.highlighted.value = obstacle),
+      passOver: (cell) => (page.pointed.value = cell && { cell, isChosen: false }),
       choose: (agent) => (page.chosenAgent.value = agent),
       draw: (tool, runs) => studio?.editor.draw(tool, runs),
       outline: (corners, done) => studio?.zones.outline(corners, done),

@@ -1,7 +1,9 @@
-// What obstacles look like on the map: those kinds that this map has. In print it is always open.
+// What obstacles look like on the map, those kinds that this map has, and bands of time. In print it is always open.
 import { useId, useState } from "preact/hooks";
 import { type Look, looksOn } from "../domain/looks";
+import { bandLines } from "../mission/band_words";
 import type { PageState } from "../mission/page_state";
+import { BandStrip, shownBands } from "./band_legend";
 
 const words: Record<Look, string> = {
   removable: "can be removed",
@@ -21,10 +23,12 @@ export function GroundLegend({ page }: { page: PageState }) {
   if (!cells) return null;
   const looks = looksOn(cells, page.ruled.value);
   const hasRemoved = (page.results.plans.value.after?.plan.removed.length ?? 0) > 0;
-  if (looks.length < 2) return null;
+  const bands = shownBands(page);
+  if (looks.length < 2 && !bands) return null;
   return (
-    <div class="ground-legend">
-      <ul id={id} hidden={!open} aria-label="Legend of obstacles">
+    <div class={`ground-legend ${open ? "open" : ""}`}>
+      <BandStrip page={page} />
+      <ul id={id} hidden={!open} aria-label={bands ? "Legend of the map" : "Legend of obstacles"}>
         {looks.map((look) => (
           <li key={look}>
             <span class={`swatch swatch-${look}`} aria-hidden="true" />
@@ -37,6 +41,15 @@ export function GroundLegend({ page }: { page: PageState }) {
             removed in this plan
           </li>
         )}
+        {bands &&
+          bandLines(bands, page.units.value)
+            .filter(({ look }) => look !== "band")
+            .map(({ look, text }) => (
+              <li key={look}>
+                <span class={`swatch swatch-${look}`} aria-hidden="true" />
+                {text}
+              </li>
+            ))}
       </ul>
       <button type="button" aria-expanded={open} aria-controls={id} onClick={() => setOpen(!open)}>
         {open ? "Hide legend" : "Legend"}

@@ -6,6 +6,7 @@ import { zoneKinds, zoneWords } from "../domain/zone";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { counted, noWay, tooEarly } from "../mission/words";
+import { BandList } from "./band_legend";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
 import { ZoneSample } from "./zones";
@@ -69,7 +70,20 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
             </li>
           );
         })}
+        {page.reach.value && (page.bands.value || !mission.bands) && (
+          <li>
+            <label class="layer">
+              <input type="checkbox" checked={mission.bands} onChange={() => page.toggleBands()} />
+              <span class="sample sample-bands" aria-hidden="true" />
+              <span class="layer-name">
+                Bands of time
+                <span class="layer-what">by when ground is reached</span>
+              </span>
+            </label>
+          </li>
+        )}
       </ul>
+      <BandList page={page} />
       <p class="legend">
         <span>
           <svg width="26" height="10" aria-hidden="true">

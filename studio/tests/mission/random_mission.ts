@@ -90,6 +90,7 @@ export function randomMission(random: Random): Mission {
     erased: randomRuns(random),
     zones: randomZones(random),
     layers,
+    bands: random.chance(0.7),
     time: random.oneOf([null, 0, 12.34]),
   };
 }

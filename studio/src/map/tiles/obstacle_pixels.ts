@@ -2,21 +2,10 @@
 // level and on any map, be it a city of ten thousand buildings or a maze of one.
 import type { CellMap } from "../../domain/cell_map";
 import { type Look, lookOf, looks, type Ruled } from "../../domain/looks";
+import { pixel, type Rgb, rgb } from "./pixel";
 import { span, type TileId, tileSize } from "./tiles";
 
 export type ObstacleColours = Record<Look, { fill: string; edge: string }>;
-
-type Rgb = readonly [number, number, number];
-
-function rgb(hex: string): Rgb {
-  const n = Number.parseInt(hex.slice(1, 7), 16);
-  return [n >> 16, (n >> 8) & 255, n & 255];
-}
-
-// As canvases keep them: red in the lowest byte.
-function pixel([r, g, b]: Rgb, alpha = 255): number {
-  return ((alpha << 24) | (Math.round(b) << 16) | (Math.round(g) << 8) | Math.round(r)) >>> 0;
-}
 
 function mix(a: Rgb, b: Rgb, share: number): Rgb {
   const part = (i: 0 | 1 | 2): number => Math.round(a[i] + (b[i] - a[i]) * share);

@@ -1,8 +1,10 @@
-// Paints one tile: ground features first, obstacles above.
+// Paints one tile: ground features first, or bands of time in their place, obstacles above.
+import type { Bands } from "../../domain/bands";
 import type { CellMap } from "../../domain/cell_map";
 import type { Ruled } from "../../domain/looks";
 import type { Feature, MapDescription } from "../../domain/map";
 import type { Theme } from "../viewport/theme";
+import { bandPixels } from "./band_pixels";
 import { FeatureIndex, streetShows, streetStyle } from "./ground_features";
 import { ObstacleLooks, obstaclePixels } from "./obstacle_pixels";
 import { boxOf, type TileId, tileSize } from "./tiles";
@@ -11,7 +13,7 @@ export class TilePainter {
   readonly #looks: ObstacleLooks;
   readonly #paths = new Map<number, Path2D>();
   readonly #tile = new OffscreenCanvas(tileSize, tileSize);
-  readonly #obstacles = new OffscreenCanvas(tileSize, tileSize);
+  readonly #raster = new OffscreenCanvas(tileSize, tileSize);
 
   constructor(
     private readonly map: MapDescription,
@@ -20,6 +22,7 @@ export class TilePainter {
     private readonly ground: FeatureIndex,
     private readonly theme: Theme,
     private readonly pixelRatio: number,
+    private readonly bands: Bands | null = null,
   ) {
     this.#looks = new ObstacleLooks(cells, ruled);
   }
@@ -29,11 +32,15 @@ export class TilePainter {
     context.fillStyle = this.theme.paper;
     context.fillRect(0, 0, tileSize, tileSize);
     this.#paintGround(context, tile);
-    const pixels = obstaclePixels(this.cells, this.#looks, tile, this.theme.obstacles);
-    const image = new ImageData(new Uint8ClampedArray(pixels.buffer), tileSize, tileSize);
-    this.#obstacles.getContext("2d")!.putImageData(image, 0, 0);
-    context.drawImage(this.#obstacles, 0, 0);
+    if (this.bands) this.#put(context, bandPixels(this.bands, tile, this.theme.reach));
+    this.#put(context, obstaclePixels(this.cells, this.#looks, tile, this.theme.obstacles));
     return this.#tile.transferToImageBitmap();
+  }
+
+  #put(context: OffscreenCanvasRenderingContext2D, pixels: Uint32Array<ArrayBuffer>): void {
+    const image = new ImageData(new Uint8ClampedArray(pixels.buffer), tileSize, tileSize);
+    this.#raster.getContext("2d")!.putImageData(image, 0, 0);
+    context.drawImage(this.#raster, 0, 0);
   }
 
   #paintGround(context: OffscreenCanvasRenderingContext2D, tile: TileId): void {

@@ -4,6 +4,15 @@
 import type { AgentLook } from "../../domain/agents";
 import type { Look } from "../../domain/looks";
 
+// Ground by when it is reached.
+export interface BandColours {
+  bands: readonly string[]; // soonest first, each lighter than the one before
+  unreached: string;
+  dot: string; // on what is not reached
+  hatch: string; // where a plan gains
+  hatchHalo: string; // beside it: each shows on light and on dark ground
+}
+
 export interface Theme {
   outside: string; // beyond the map
   paper: string;
@@ -17,6 +26,7 @@ export interface Theme {
   green: string;
   greenName: string;
   obstacles: Record<Look, { fill: string; edge: string }>;
+  reach: BandColours;
   removed: string;
   removedTint: string; // under the hatching
   breach: string; // carries figures in `onBreach`
@@ -66,6 +76,13 @@ export const light: Theme = {
     off_road: { fill: "#d0dfb8", edge: "#7f8a66" },
     unknown: { fill: "#efece6", edge: "#6a635a" },
   },
+  reach: {
+    bands: ["#095d6c", "#208089", "#42a3a3", "#74c4b9", "#a8decf", "#dbf4e8"],
+    unreached: "#fffefb",
+    dot: "#6a635a",
+    hatch: "#d55e00",
+    hatchHalo: "#ffffff",
+  },
   removed: "#d55e00",
   removedTint: "#ffe2cc",
   breach: "#b84a00",
@@ -114,6 +131,13 @@ export const dark: Theme = {
     forbidden: { fill: "#3f3046", edge: "#8a7494" },
     off_road: { fill: "#2c3626", edge: "#7d8c6c" },
     unknown: { fill: "#101214", edge: "#848b94" },
+  },
+  reach: {
+    bands: ["#0a5a56", "#1b747b", "#318e8c", "#57a89c", "#82c0af", "#b0d8c8"],
+    unreached: "#25292d",
+    dot: "#b3afa7",
+    hatch: "#d55e00",
+    hatchHalo: "#ffffff",
   },
   removed: "#f0772b",
   removedTint: "#623a24",

@@ -105,6 +105,30 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
   });
 });
 
+describe.each(Object.entries({ light, dark }) as [string, Theme][])("bands of time, %s", (_, { reach, obstacles }) => {
+  it.each(Object.entries({ ...eyes, greyscale }))("are each lighter than the one before, for eyes with %s vision", (_, eye) => {
+    const lightness = reach.bands.map((colour) => lab(times(eye, linear(colour)))[0]);
+    lightness.slice(1).forEach((later, i) => expect(later - lightness[i]!).toBeGreaterThan(0.05));
+  });
+
+  it("have a hatching of which one half shows on each of them, in print as well", () => {
+    for (const band of reach.bands) {
+      const halves = [reach.hatch, reach.hatchHalo].map((colour) => distance(band, colour, greyscale));
+      expect(Math.max(...halves), band).toBeGreaterThan(0.15);
+      for (const eye of Object.values(eyes)) expect(distance(band, reach.hatch, eye), band).toBeGreaterThan(0.08);
+    }
+    expect(distance(reach.unreached, reach.dot, greyscale)).toBeGreaterThan(0.3);
+  });
+
+  it("are not taken for obstacles", () => {
+    for (const band of reach.bands) {
+      for (const look of ["removable", "fixed", "water"] as const) {
+        expect(distance(band, obstacles[look].fill, eyes.usual!), `${band} ${look}`).toBeGreaterThan(0.05);
+      }
+    }
+  });
+});
+
 const text = (path: string) => readFileSync(new URL(`../../../${path}`, import.meta.url), "utf8");
 
 // Colours by name, of the light half of a style sheet or of its dark one.
@@ -118,6 +142,10 @@ it.each([["light", light, 0], ["dark", dark, 1]] as const)("the style sheets hav
   for (const look of looks) {
     expect([ground[`${look}-fill`], ground[`${look}-edge`]]).toEqual([theme.obstacles[look].fill, theme.obstacles[look].edge]);
   }
+  const { bands, dot, unreached, hatch, hatchHalo } = theme.reach;
+  bands.forEach((colour, i) => expect(ground[`band-${i + 1}`]).toBe(colour));
+  const others = ["dot", "unreached", "hatch", "halo"].map((name) => ground[`band-${name}`]);
+  expect(others).toEqual([dot, unreached, hatch, hatchHalo]);
   expect(variables("src/style/base.css", half)["removed-quiet"]).toBe(theme.removedTint);
   const agents = [...text("src/style/agents.css").split("prefers-color-scheme: dark")[half]!.matchAll(/\.agent-(ground|air)-(\d+) \{\s*--agent: (#\w{6})/g)];
   const colours = (kind: string) => agents.filter((one) => one[1] === kind).map((one) => [Number(one[2]), one[3]]);
@@ -172,5 +200,9 @@ it("pictures have the colours of the light page", () => {
   for (const name of ["paper", "removed", "ground", "air"] as const) expect(colours[name], name).toBe(light[name]);
   expect(colours.removed_tint).toBe(light.removedTint);
   expect(lists("vehicles")).toEqual(light.vehicles.map((colour) => `"${colour}"`));
+  expect(lists("bands")).toEqual(light.reach.bands.map((colour) => `"${colour}"`));
+  expect([colours.street, colours.faded_ink, colours.removed, colours.halo]).toEqual([
+    light.reach.unreached, light.reach.dot, light.reach.hatch, light.reach.hatchHalo,
+  ]);
   expect(lists("fleet")).toEqual(["air", ...light.fleet.slice(1).map((colour) => `"${colour}"`)]);
 });
