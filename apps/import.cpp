@@ -365,8 +365,8 @@ void setup_import(CLI::App& root, Run& run_chosen) {
              "Also write what aircraft keep clear of by the map data, as GeoJSON for `waybreaker plan --zones`: "
              "aerodromes, heliports and helipads, prisons, military ground");
     add_number(
-        *command, "--clearance", [options](double metres) { options->clearance = metres; }, {0, lengths.most},
-        "METRES", fmt::format("How far aircraft keep from these (default: {})", city::usual_clearance));
+        *command, "--clearance", [options](double metres) { options->clearance = metres; }, {0, lengths.most}, "METRES",
+        fmt::format("How far aircraft keep from these (default: {})", city::usual_clearance));
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");
     command->add_flag_callback(
