@@ -136,15 +136,16 @@ void add_nothing(const Mission& mission, Outcome& outcome) {
     }
 }
 
+// By hits, of as many obstacles as `most`.
 coalition::Choice choice_of(const Map& map, const Mission& mission, const Method& method,
-                            std::span<const std::uint32_t> hits) {
+                            std::span<const std::uint32_t> hits, int most) {
     using coalition::Selecting;
     switch (method.select) {
         case Selection::exact:
             return {Selecting::exact};
         case Selection::hits:
             return {mission.rules.timing == Timing::ignore ? Selecting::as_list : Selecting::listed,
-                    most_hit(map, mission.rules, hits, mission.rules.removals), method.bound};
+                    most_hit(map, mission.rules, hits, most), method.bound};
         case Selection::greedy:
             return {Selecting::greedy, {}, method.bound};
         case Selection::none:
@@ -178,39 +179,48 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
     std::vector<std::uint32_t> hits;
-    // `listed`: of a list only as much as is best.
-    const auto choose = [&](const Method& how, bool listed) {
-        if (how.select == Selection::hits && hits.empty()) hits = hits_of_team(map, mission, how, interrupts, searcher);
-        coalition::Choice choice = choice_of(map, mission, how, hits);
-        if (listed && choice.selecting == coalition::Selecting::as_list)
-            choice.selecting = coalition::Selecting::listed;
+    const auto planned_by = [&](coalition::Choice choice) {
         if (evaluated != nullptr) choice.share = evaluated->share;
         return coalition::plan_coalition(map, mission, choice, fewer, interrupts, crossing, searcher, tell);
     };
-    coalition::CoalitionPlan made = choose(method, false);
-    // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
-    struct Other {
-        Selection select;
-        bool listed;
+    const auto choice_by = [&](const Method& how, int most) {
+        if (how.select == Selection::hits && hits.empty()) hits = hits_of_team(map, mission, how, interrupts, searcher);
+        return choice_of(map, mission, how, hits, most);
     };
-    for (const auto [select, listed] :
-         {Other{Selection::greedy, true}, Other{Selection::hits, true}, Other{Selection::hits, false}}) {
-        const bool found_any = made.status == SearchStatus::found;
-        const bool lets_past = found_any && !made.missed;
-        if (method.select != Selection::exact || lets_past || made.status == SearchStatus::no_path || interrupts.due())
-            break;
-        if (select == Selection::greedy && !moves_greedily(mission, method)) continue;
-        if (!listed && (found_any || mission.rules.timing != Timing::ignore)) break;
-        Method other = method;
-        other.select = select;
-        other.bound = false;
-        coalition::CoalitionPlan found = choose(other, listed);
-        if (found.status != SearchStatus::found || found.objective >= made.objective) continue;
+    const int removals = mission.rules.removals;
+    coalition::CoalitionPlan made = planned_by(choice_by(method, removals));
+    // Takes the place of the plan if it is a better one.
+    const auto take = [&](coalition::CoalitionPlan found) {
+        if (found.status != SearchStatus::found || found.objective >= made.objective) return;
         found.bound = std::min(made.bound, found.objective);
         found.proven = made.proven;
         found.limited = found.limited || made.limited;
         found.missed = made.missed;
         made = std::move(found);
+    };
+    // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
+    const auto is_stuck = [&] {
+        const bool lets_past = made.status == SearchStatus::found && !made.missed;
+        return method.select == Selection::exact && !lets_past && made.status != SearchStatus::no_path &&
+               !interrupts.due();
+    };
+    Method instead = method;
+    instead.bound = false;
+    for (const Selection select : {Selection::greedy, Selection::hits}) {
+        if (!is_stuck() || (select == Selection::greedy && !moves_greedily(mission, method))) continue;
+        instead.select = select;
+        coalition::Choice choice = choice_by(instead, removals);
+        // Of a list as much as is best.
+        if (select == Selection::hits) choice.selecting = coalition::Selecting::listed;
+        take(planned_by(choice));
+    }
+    // As a last resort the obstacles that are hit most, each number of them: more removals are no worse.
+    instead.select = Selection::hits;
+    const bool is_lost = is_stuck() && made.status != SearchStatus::found && mission.rules.timing == Timing::ignore;
+    for (int most = 1; is_lost && most <= removals && !interrupts.due(); ++most) {
+        coalition::Choice choice = choice_by(instead, most);
+        if (int(choice.list.size()) < most) break;
+        take(planned_by(choice));
     }
     if (method.select != Selection::hits) hits.clear();
     Plan plan;

@@ -61,6 +61,31 @@ RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
     }
 }
 
+// Two change places past a third in a dead end. Removing the wall at one end is enough, where removed walls never
+// stood.
+TEST(Coalition, RemovesNoMoreThanItTakesToGetPast) {
+    std::vector<std::string> rows(16, "A");
+    rows[0] = "B";
+    rows[1] = rows[2] = rows[3] = ".";
+    const Map map = Map::from_rows(rows);
+    Mission mission;
+    mission.agents = {aircraft("bird", {0, 8}, {0, 12}), vehicle("1", {0, 2}, {0, 2}), vehicle("2", {0, 3}, {0, 1}),
+                      vehicle("3", {0, 1}, {0, 3})};
+    mission.agents[0].speed = 3;
+    mission.agents[2].body.radius = 0;
+    mission.rules.at_goal = AtGoal::leave;
+    mission.rules.timing = Timing::ignore;
+    mission.rules.breach_time.per_cell = 0.5;
+    mission.rules.removals = 1;
+    const Plan one = Planner().plan(map, mission);
+    mission.rules.removals = 2;
+    const Plan two = Planner().plan(map, mission);
+    ASSERT_EQ(one.status, PlanStatus::solved);
+    ASSERT_EQ(two.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, two));
+    EXPECT_LE(*two.after.makespan, *one.after.makespan * (1 + 1e-9));
+}
+
 // A set that has to be removed gets no more care than one that was chosen.
 RC_GTEST_PROP(Coalition, IsNoWorseThanWithItsOwnSetForced, ()) {
     const PlainMap plain = *random_map(16, 16);
