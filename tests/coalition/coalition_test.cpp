@@ -40,13 +40,15 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
     if (std::ranges::none_of(mission.agents, cuts_corners)) RC_ASSERT(simulate(map, mission, plan, 0.05) == "");
 }
 
-// The best of all that may be removed, and of less: where no limit ends it, more may not make a plan worse.
+// The best of all that may be removed, and of less: where no limit ends it, more may not make a plan worse. For one
+// vehicle that holds of what is proven, as nobody tries fewer removals beside.
 RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
     const PlainMap plain = *random_map(16, 16);
     const Map map(plain.grid());
     Mission mission = any_coalition(plain, map);
     mission.rules.force.clear();
     const Objective objective = mission.rules.objective;
+    const bool drives_alone = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) == 1;
     std::optional<double> before;
     for (int removals = 0; removals <= 4; ++removals) {
         mission.rules.removals = removals;
@@ -54,7 +56,8 @@ RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
         RC_LOG() << removals << " removals: " << value(plan.after, objective).value_or(-1) << '\n';
         if (before) {
             RC_ASSERT(plan.status == PlanStatus::solved);
-            RC_ASSERT(*value(plan.after, objective) <= *before * (1 + 1e-9));
+            if (!drives_alone || plan.gap.value_or(1) <= 1e-9)
+                RC_ASSERT(*value(plan.after, objective) <= *before * (1 + 1e-9));
             RC_ASSERT(*plan.bound <= *value(plan.after, objective) + 1e-9);
         }
         if (plan.status == PlanStatus::solved) before = value(plan.after, objective);
