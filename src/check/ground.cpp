@@ -67,6 +67,12 @@ class GroundJudge {
         Leg move;
         std::vector<Stop> stops;
     };
+    // A point of the path, and where that is if it is a vertex.
+    struct Bend {
+        bool is_vertex = false;
+        Vertex vertex = {};
+        std::size_t point = 0;
+    };
 
     void report(Rule rule, const std::string& what, Point place, double time, ObstacleId obstacle = {}) {
         found_.push_back({rule, "the " + ground_.id + " agent " + what, ground_.id, obstacle, place, time});
@@ -75,23 +81,21 @@ class GroundJudge {
     // A path that does not bend at vertices of the map is not looked at any further.
     bool read_legs() {
         const std::vector<Waypoint>& path = ground_.path;
-        std::optional<Vertex> last;
-        std::size_t last_point = 0;
         bool bends_at_vertices = true;
+        Bend last;
         for (std::size_t i = 0; i < path.size(); ++i) {
             if (found_.size() > enough_violations) return false;
-            if (stops_on_moves_ && last) {
+            if (stops_on_moves_ && last.is_vertex) {
                 const std::size_t next = next_vertex(i);
-                if (next > i && is_straight(last_point, next)) i = next;
+                if (next > i && is_straight(last.point, next)) i = next;
             }
-            const std::optional<Vertex> v = read_vertex(path[i]);
-            bends_at_vertices = bends_at_vertices && v;
-            if (v && last) legs_.push_back(leg_between(*last, last_point, *v, i));
-            last = v;
-            last_point = i;
+            const Bend bend = read_bend(i);
+            bends_at_vertices = bends_at_vertices && bend.is_vertex;
+            add_leg(last, bend);
+            last = bend;
         }
         // Who does not move at all stands there.
-        if (path.size() == 1 && last) legs_.push_back({{*last, *last, path[0].t, path[0].t}, {}});
+        if (path.size() == 1) add_leg(last, last);
         for (StoppedLeg& leg : legs_) {
             if (!(leg.move.from == legs_.front().move.from && leg.move.to == leg.move.from)) break;
             leg.move.start = std::min(std::max(leg.move.start, ready_at_), leg.move.end);
@@ -124,6 +128,15 @@ class GroundJudge {
             before = along;
         }
         return true;
+    }
+
+    Bend read_bend(std::size_t point) {
+        const std::optional<Vertex> v = read_vertex(ground_.path[point]);
+        return {v.has_value(), v.value_or(Vertex{}), point};
+    }
+
+    void add_leg(const Bend& from, const Bend& to) {
+        if (from.is_vertex && to.is_vertex) legs_.push_back(leg_between(from.vertex, from.point, to.vertex, to.point));
     }
 
     StoppedLeg leg_between(Vertex from, std::size_t first, Vertex to, std::size_t last) const {
@@ -258,20 +271,25 @@ Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, co
 
 Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,
                          const Terms& terms) {
-    const auto at_time = [](std::optional<double> when) { return when ? "at " + text(*when) : "never"; };
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const auto at_time = [](double when) { return when < never ? "at " + text(when) : "never"; };
     Violations found;
     for (const Breach& breach : plan.breaches) {
         if (!names_obstacle(map, breach.obstacle)) continue;
         const auto entry = entries.find(breach.obstacle);
-        const std::optional<Contact> first = entry == entries.end() ? std::nullopt : std::optional(entry->second);
-        const std::optional<double> truth = first ? std::optional(first->time) : std::nullopt;
-        if (!truth && !breach.entered_at) continue;
-        if (truth && breach.entered_at && agree(terms, *truth, *breach.entered_at)) continue;
-        found.push_back({Rule::entered,
-                         text(breach.obstacle) + " is said to be entered " + at_time(breach.entered_at) +
-                             "; it is entered " + at_time(truth),
-                         who, breach.obstacle, first ? std::optional(first->place) : std::nullopt,
-                         truth ? truth : breach.entered_at});
+        const double truth = entry == entries.end() ? never : entry->second.time;
+        const double said = breach.entered_at.value_or(never);
+        if (truth == said || agree(terms, truth, said)) continue;
+        Violation& wrong = found.emplace_back(Violation{
+            Rule::entered,
+            text(breach.obstacle) + " is said to be entered " + at_time(said) + "; it is entered " + at_time(truth),
+            who,
+            breach.obstacle,
+            {},
+            std::min(truth, said)});
+        if (entry == entries.end()) continue;
+        wrong.place = entry->second.place;
+        wrong.time = truth;
     }
     return found;
 }
