@@ -41,7 +41,7 @@ struct ImportOptions {
     bool sized = false;
     std::optional<double> tile;
     std::string zones;
-    double clearance = city::usual_clearance;
+    std::optional<double> clearance;
     OverlayOptions overlays;
     city::ImportOptions window;
 };
@@ -135,17 +135,19 @@ struct Noticed {
     }
 };
 
-// Says how many there are, and of what.
-std::string write_no_fly_zones(const ImportOptions& options, const geotiff::LabelTiff& map) {
-    const std::vector<Zone> zones = city::no_fly_zones(options.source, options.window, options.clearance);
+std::string zones_text(const std::vector<Zone>& zones, const geotiff::LabelTiff& map) {
     nlohmann::ordered_json json = io::zones_json(zones, geotiff::lon_lat_of(map.georeference));
     if (!map.annotations.attribution.empty()) json["attribution"] = map.annotations.attribution;
-    io::write_whole(options.zones, io::pretty(json));
+    return io::pretty(json) + "\n";
+}
+
+// How many there are, and of what.
+std::string zones_line(const std::string& file, const std::vector<Zone>& zones) {
     std::vector<std::string> names;
     for (const Zone& zone : zones) {
         if (std::ranges::find(names, zone.name) == names.end()) names.push_back(zone.name);
     }
-    return fmt::format("{}: {} no-fly {}{}{}\n", options.zones, zones.size(), zones.size() == 1 ? "zone" : "zones",
+    return fmt::format("{}: {} no-fly {}{}{}\n", file, zones.size(), zones.size() == 1 ? "zone" : "zones",
                        names.empty() ? "" : ": ", fmt::join(names, ", "));
 }
 
@@ -155,8 +157,14 @@ void import_one(const ImportOptions& options) {
     noticed.see(report);
     noticed.say(options.source);
     note_overlays(report.overlays);
+    std::string zones;
+    if (!options.zones.empty()) {
+        const std::vector<Zone> found =
+            city::no_fly_zones(options.source, options.window, options.clearance.value_or(city::usual_clearance));
+        io::write_whole(options.zones, zones_text(found, report.tiff));
+        zones = zones_line(options.zones, found);
+    }
     io::write_whole(options.output, geotiff::label_tiff_bytes(report.tiff));
-    const std::string zones = options.zones.empty() ? "" : write_no_fly_zones(options, report.tiff);
     if (options.output == "-") return;
     io::write_whole("-", summary_line(options.output, report, things_of(options)) +
                              overlay_summary(report.overlays, report.tiff.cell_size) + zones);
@@ -233,14 +241,24 @@ void place_window(ImportOptions& options) {
     note(options.source, fmt::format("the window lies around {:.6g},{:.6g}, {}", center[0], center[1], what));
 }
 
+void validate_zones_file(const ImportOptions& options) {
+    if (options.zones.empty()) {
+        if (options.clearance) throw InputError("--clearance is for --zones FILE");
+        return;
+    }
+    if (options.zones == "-") throw InputError("--zones writes a file: give its name");
+    if (options.zones == options.output) throw InputError("--output and --zones cannot both write to " + options.zones);
+    if (options.tile) throw InputError("--zones is for one map: leave --tile out");
+    require_ending("--zones", options.zones, {".geojson", ".json"}, "");
+}
+
 void run(const ImportOptions& given) {
     ImportOptions options = given;
     options.window.overlays = overlays_of(given.overlays);
     NamedFiles inputs{{"SOURCE", options.source}};
     for (const city::OverlaySource& overlay : options.window.overlays) inputs.emplace_back("--also", overlay.file);
     keep_inputs({{"--output", options.output}, {"--zones", options.zones}}, inputs);
-    if (options.zones == "-") throw InputError("--zones writes a file: give its name");
-    if (!options.zones.empty() && options.tile) throw InputError("--zones is for one map: leave --tile out");
+    validate_zones_file(options);
     if (options.center && options.window.box) {
         throw InputError("give the window either by --center (and --size) or by --bbox");
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/range.hpp"
+#include "model/in_range.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::live {
@@ -45,13 +45,10 @@ void use_battery(const Agent& was, const Itinerary& planned, const Position& pos
     const double needed = agent.flown + home;
     if (std::isinf(needed) || needed <= (1 - agent.reserve) * battery) return;
     if (needed > battery * (1 + hair)) {
-        const bool by_range = agent.range / agent.speed <= agent.endurance;
-        const auto figure = [&](double time) { return number_text(by_range ? time * agent.speed : time); };
+        agent.reserve = 0;
         throw InputError(ErrorCode::contradiction, agent.id,
-                         "the " + agent.id + " agent can still fly " + (by_range ? "" : "for ") +
-                             figure(std::max(battery - agent.flown, 0.0)) +
-                             (by_range ? " cells; to its goal it is " : " units of time; to its goal it takes ") +
-                             figure(home) + ": send it to a nearer goal, or report it as lost");
+                         flight_sentence(agent, "from where it is to its goal it", home) +
+                             ": send it to a nearer goal, or report it as lost");
     }
     agent.reserve = std::max(1 - needed / battery, 0.0);
 }

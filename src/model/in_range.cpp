@@ -51,16 +51,6 @@ bool is_in_range(const Map& map, const Mission& mission, const Obstacle& obstacl
     });
 }
 
-// "the air1 agent can fly 900 cells; obstacle 473 and back is 1100": or in units of time, where these end first.
-std::string sentence(const Agent& agent, const std::string& what, double time) {
-    const bool by_range = agent.range / agent.speed <= agent.endurance;
-    const auto figure = [&](double value) { return number_text(by_range ? value * agent.speed : value); };
-    const std::string reserve = agent.reserve > 0 ? ", with " + number_text(100 * agent.reserve) + " % in reserve" : "";
-    return "the " + agent.id + " agent can " + (agent.flown > 0 ? "still " : "") + "fly " + (by_range ? "" : "for ") +
-           figure(agent.longest_flight()) + (by_range ? " cells" : " units of time") + reserve + "; " + what +
-           (by_range ? " is " : " takes ") + figure(time);
-}
-
 void validate_limits(const Agent& agent) {
     const bool is_limited = std::isfinite(agent.range) || std::isfinite(agent.endurance);
     const auto require_positive = [&](double value, const std::string& what) {
@@ -85,6 +75,15 @@ void validate_limits(const Agent& agent) {
 
 }  // namespace
 
+std::string flight_sentence(const Agent& agent, const std::string& what, double time) {
+    const bool by_range = agent.range / agent.speed <= agent.endurance;
+    const auto figure = [&](double value) { return number_text(by_range ? value * agent.speed : value); };
+    const std::string reserve = agent.reserve > 0 ? ", with " + number_text(100 * agent.reserve) + " % in reserve" : "";
+    return "the " + agent.id + " agent can " + (agent.flown > 0 ? "still " : "") + "fly " + (by_range ? "" : "for ") +
+           figure(agent.longest_flight()) + (by_range ? " cells" : " units of time") + reserve + "; " + what +
+           (by_range ? " is " : " takes ") + figure(time);
+}
+
 void validate_flights(const Map& map, const Mission& mission) {
     for (const Agent& agent : mission.agents) validate_limits(agent);
     if (!mission.limits_flights()) return;
@@ -97,7 +96,7 @@ void validate_flights(const Map& map, const Mission& mission) {
         if (agent.kind == AgentKind::ground) continue;
         const double time = agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
         if (!agent.may_land_at(agent.ready_at + time))
-            refuse(agent.id, sentence(agent, "from its start to its goal it", time));
+            refuse(agent.id, flight_sentence(agent, "from its start to its goal it", time));
     }
     for (const ObstacleId id : mission.rules.force) {
         const auto why = out_of_range(map, flown, id);
@@ -105,7 +104,7 @@ void validate_flights(const Map& map, const Mission& mission) {
         const std::string name = "obstacle " + std::to_string(id.value);
         const auto agent = std::ranges::find(flown.agents, why->agent, &Agent::id);
         refuse(std::to_string(id.value),
-               name + " must be removed, but " + sentence(*agent, name + " and back", why->flight));
+               name + " must be removed, but " + flight_sentence(*agent, name + " and back", why->flight));
     }
 }
 

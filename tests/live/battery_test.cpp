@@ -109,9 +109,9 @@ TEST(ReviseWithBatteries, WhoCannotComeHomeIsAnError) {
     const auto error = [&] {
         return input_error([&] { (void)revise(planner, old.map, old.mission, old.plan, old.state); });
     };
-    EXPECT_EQ(
-        error(),
-        "the air agent can still fly 5 cells; to its goal it is 6: send it to a nearer goal, or report it as lost");
+    EXPECT_EQ(error(),
+              "the air agent can still fly 5 cells; from where it is to its goal it is 6: send it to a nearer goal, or "
+              "report it as lost");
     old.state.agents.front().goal = Cell{2, 1};
     EXPECT_EQ(error(), "");
     old.state.agents.front() = {.id = "air", .passed = 0, .doing = Doing::lost};

@@ -78,7 +78,7 @@ const refusal = new RegExp(
   [
     /^(?:obstacle (\d+) must be removed, but )?/,
     /the (.+) agent can (still )?fly (for )?(\S+) (?:cells|units of time)(?:, with (\S+) % in reserve)?/,
-    /; (.+) (?:is|takes) (\S+?)(: send it .+)?\.?$/,
+    /; (.+) (?:is|takes) (\S+?)(: send it .+?)?\.?$/,
   ]
     .map(({ source }) => source)
     .join(""),

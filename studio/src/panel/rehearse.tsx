@@ -1,6 +1,7 @@
 // What can go wrong at the moment that playback stands at, for each opening, vehicle and aircraft.
 import type { Agent, Plan } from "../domain/plan";
 import { clockTime } from "../domain/units";
+import { refusalWords } from "../mission/flight_words";
 import type { Studio } from "../mission/studio";
 import { nameOf as agentName } from "../play/story";
 import { whyNotRehearsed } from "../rehearse/rehearsal";
@@ -35,7 +36,7 @@ export function Rehearse({ studio }: { studio: Studio }) {
           {rehearsal.failure.value && (
             <p class="old-note" role="alert">
               <Icon name="warning" />
-              {rehearsal.failure.value}
+              {refusalWords(rehearsal.failure.value, page.units.value, (id) => nameOf(page.shown.value!, id).text)}
             </p>
           )}
         </>

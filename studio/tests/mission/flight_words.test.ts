@@ -58,5 +58,9 @@ it("says why a mission is refused, in the page's units", () => {
   expect(said("The air agent can fly for 300 units of time; from its start to its goal it takes 806.4.")).toBe(
     "The aircraft can fly for 5 min; from its start to its goal it takes 13 min 26 s.",
   );
+  const away = "send it to a nearer goal, or report it as lost";
+  expect(said(`The air agent can still fly 5 cells; from where it is to its goal it is 6: ${away}.`)).toBe(
+    `The aircraft can still fly 10 m; from where it is to its goal it is 12 m: ${away}.`,
+  );
   expect(said("The air agent cannot fly.")).toBe("The air agent cannot fly.");
 });
