@@ -9,6 +9,7 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
+#include "select/tuning.hpp"
 #include "team/simulation.hpp"
 #include "vehicle.hpp"
 #include "waybreaker/error.hpp"
@@ -41,7 +42,7 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
 }
 
 // The best of all that may be removed, and of less: where no limit ends it, more may not make a plan worse. For one
-// vehicle that holds of what is proven, as nobody tries fewer removals beside.
+// vehicle the choice ends at a gap that is small enough, so by no more than that.
 RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
     const PlainMap plain = *random_map(16, 16);
     const Map map(plain.grid());
@@ -56,8 +57,9 @@ RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
         RC_LOG() << removals << " removals: " << value(plan.after, objective).value_or(-1) << '\n';
         if (before) {
             RC_ASSERT(plan.status == PlanStatus::solved);
-            if (!drives_alone || plan.gap.value_or(1) <= 1e-9)
-                RC_ASSERT(*value(plan.after, objective) <= *before * (1 + 1e-9));
+            const bool is_proven = plan.gap.value_or(1) <= 1e-9;
+            const double enough = drives_alone && !is_proven ? tuning::enough_in_time : 1e-9;
+            RC_ASSERT(*value(plan.after, objective) <= *before * (1 + enough));
             RC_ASSERT(*plan.bound <= *value(plan.after, objective) + 1e-9);
         }
         if (plan.status == PlanStatus::solved) before = value(plan.after, objective);
