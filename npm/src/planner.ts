@@ -1,21 +1,8 @@
-import type {
-  Attributes,
-  Cell,
-  Continuity,
-  GridOptions,
-  LabelOptions,
-  MapEdit,
-  MapOptions,
-  Mission,
-  Obstacle,
-  Plan,
-  PlanOptions,
-  Report,
-  ReviseOptions,
-  State,
-} from "./documents.js";
+import type { Cell, Mission, Plan, Report, State } from "./documents.js";
 import { InputError } from "./errors.js";
 import { Library, type Pointer, textOf, utf8 } from "./library.js";
+import type { Attributes, GridOptions, LabelOptions, MapEdit, MapOptions, Obstacle } from "./maps.js";
+import type { Continuity, PlanOptions, ReviseOptions } from "./options.js";
 
 interface Held {
   library: Library;

@@ -1,20 +1,10 @@
 // The page's side of a planner in a worker. One call at a time is with the worker, so that a call that is cancelled
 // takes only itself along: the worker is ended, a new one is started, and maps are made again there when they are needed.
-import type {
-  Continuity,
-  GridOptions,
-  LabelOptions,
-  MapEdit,
-  Mission,
-  Obstacle,
-  Plan,
-  PlanOptions,
-  Report,
-  ReviseOptions,
-  State,
-} from "./documents.js";
+import type { Mission, Plan, Report, State } from "./documents.js";
 import { errorNamed, InputError, InternalError } from "./errors.js";
 import { textOf } from "./library.js";
+import type { GridOptions, LabelOptions, MapEdit, Obstacle } from "./maps.js";
+import type { Continuity, PlanOptions, ReviseOptions } from "./options.js";
 import type { Call, FromWorker, MapFacts, MapMaker, Recipe, ToWorker } from "./worker_messages.js";
 
 export interface Cancellable {

@@ -1,5 +1,5 @@
 // The worker's side: does what it is sent, one call after the other.
-import type { MapEdit } from "./documents.js";
+import type { MapEdit } from "./maps.js";
 import { Planner, type PlannerMap } from "./planner.js";
 import type { Call, FromWorker, MapFacts, Recipe, ToWorker } from "./worker_messages.js";
 

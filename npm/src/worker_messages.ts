@@ -1,5 +1,5 @@
 // What page and worker send each other.
-import type { MapEdit } from "./documents.js";
+import type { MapEdit } from "./maps.js";
 
 export interface Call {
   id: number;
