@@ -89,8 +89,8 @@ struct Agent {
     // How long it has been in the air by `ready_at` since its battery was full, of an air agent under way: that is gone
     // from both.
     double flown = 0;
-    // How many obstacles in its way a ground agent may breach itself, >= 0. It stands where it touches them while it
-    // does. Of a mission's only agent; then no aircraft flies.
+    // How many obstacles a ground agent may breach itself, >= 0. It stands still while it does, its disc at most a cell
+    // from the obstacle, which is open to all then.
     int own_breaches = 0;
     // Where an air agent may fly. Of a mission, Rules::zones say it, and planning sets this.
     Airspace airspace = {};
@@ -160,8 +160,8 @@ inline constexpr std::size_t most_agents = 10000;
 
 struct Mission {
     // One ground and one air agent, in any order; or a team (docs/coalition.md): any number of ground agents, and
-    // aircraft; or one ground agent that opens its own way (docs/crews.md). Where nobody may breach, nothing is
-    // removed, whatever the rules allow.
+    // aircraft; ground agents may breach, too (docs/crews.md). Where nobody may, nothing is removed, whatever the rules
+    // allow.
     std::vector<Agent> agents = {};
     Rules rules = {};
 
@@ -169,8 +169,10 @@ struct Mission {
     bool is_team() const;
     // Whether each agent must arrive, and counts for as much as any other.
     bool counts_alike() const;
-    // Whether a ground agent breaches what is in its way itself.
+    // Whether its only agent breaches what is in its way itself.
     bool opens_own_way() const;
+    // Whether it has other agents than a ground agent that may breach.
+    bool clears() const;
     // Whether some flight may be too long.
     bool limits_flights() const;
     // How many obstacles may be removed: by the rules, and by what all agents may breach.

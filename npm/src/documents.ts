@@ -22,7 +22,7 @@ export interface GroundAgent {
   ready_at?: number;
   /** How it gets to its start if it is on its way already: the last point is there, at ready_at. */
   approach?: Waypoint[];
-  /** How many obstacles in its way it removes itself at most, if it is the mission's only agent; 0. */
+  /** How many obstacles it removes itself at most, for itself or for others; 0. */
   breaches?: number;
   /** What its arrival counts for in the flowtime, in people or beds; 1. */
   weight?: number;

@@ -24,8 +24,8 @@ class Vehicle:
     cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that
     passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time; or comes there on
     its ``approach``, points ``[x, y, t]`` that end at its start then. Its arrival counts ``weight`` times in the
-    flowtime (1), as so many people or beds. A mission's only agent may itself breach at most ``breaches`` obstacles
-    in its way (None: none).
+    flowtime (1), as so many people or beds. It may itself breach at most ``breaches`` obstacles, for itself or for
+    others (None: none).
     """
 
     start: Cell

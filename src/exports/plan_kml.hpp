@@ -1,6 +1,6 @@
 // Plans as KML 2.2 with Google's extension gx:Track, which Google Earth plays in time.
 //
-// Folders: "agents", a track each; "breaches", a point for as long as the aircraft stays there; "obstacles", the
+// Folders: "agents", a track each; "breaches", a point for as long as the agent stays there; "obstacles", the
 // outline of each obstacle that is opened, once until then and once from then on; "zones", where there are any.
 #pragma once
 

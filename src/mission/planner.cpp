@@ -11,6 +11,7 @@
 
 #include "core/range.hpp"
 #include "core/stopwatch.hpp"
+#include "crew/crew.hpp"
 #include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
 #include "mission/alternatives.hpp"
@@ -91,8 +92,8 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
 }
 
 // Agents that are on their way already begin there.
-void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
-    if (std::ranges::all_of(mission.agents, [](const Agent& agent) { return agent.approach.empty(); })) return;
+void begin_on_approach(const Mission& mission, Plan& plan) {
+    if (plan.status != PlanStatus::solved) return;
     for (std::size_t i = 0; i < mission.agents.size(); ++i) {
         const Agent& agent = mission.agents[i];
         if (agent.approach.empty()) continue;
@@ -107,12 +108,14 @@ void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
         if (plan.agents[i].reached) route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
-    add_entries(map, mission, plan);
 }
 
 Plan finished(const Map& map, const Mission& mission, Plan plan) {
     if (plan.status != PlanStatus::solved) return plan;
-    begin_on_approach(map, mission, plan);
+    const bool is_under_way =
+        std::ranges::any_of(mission.agents, [](const Agent& agent) { return !agent.approach.empty(); });
+    if (!mission.clears()) begin_on_approach(mission, plan);
+    if (mission.clears() || is_under_way) add_entries(map, mission, plan);
     add_waits(map, mission, plan);
     add_orders(map, mission, plan);
     return plan;
@@ -151,25 +154,63 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
     validate(map, mission, method, limits);
     const OpenedByThemselves opened(map, mission);
     const InZones zoned(opened.map(), opened.mission());
-    const ActivePart active(zoned.mission());
+    std::vector<Plan> plans = planned(zoned.map(), zoned.mission(), method, limits, share);
+    for (Plan& plan : plans) plan = finished(map, mission, std::move(plan));
+    return plans;
+}
+
+std::vector<Plan> Planner::planned(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                                   std::optional<double> share) {
+    const OpenedByThemselves opened(map, mission);
+    const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
     std::optional<Evaluated> evaluated;
     if (share) evaluated = Evaluated{*share, {}};
-    Plan best = around_late(zoned.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
-        Limits left = limits;
-        left.seconds = seconds;
-        if (asked.rules.opened.size() < zoned.mission().rules.opened.size()) left.progress = nullptr;
-        Evaluated* others = evaluated ? &*evaluated : nullptr;
-        const auto planned = [&](const Mission& step, const Method& how, const Limits& within) {
-            return plan_active(zoned.map(), step, how, within, others);
-        };
-        return within_range(zoned.map(), asked, method, left, planned, others);
-    });
+    Evaluated* others = evaluated ? &*evaluated : nullptr;
+    Plan best = order.mission().clears()
+                    ? planned_crew(opened.map(), order.mission(), method, limits)
+                    : around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
+                          Limits left = limits;
+                          left.seconds = seconds;
+                          const bool is_again = asked.rules.opened.size() < opened.mission().rules.opened.size();
+                          if (is_again) left.progress = nullptr;
+                          const auto plan_step = [&](const Mission& step, const Method& how, const Limits& within) {
+                              return plan_active(opened.map(), step, how, within, others);
+                          };
+                          return within_range(opened.map(), asked, method, left, plan_step, others);
+                      });
     std::vector<Plan> plans;
     plans.push_back(std::move(best));
     if (evaluated) append_alternatives(*evaluated, mission.rules.objective, plans);
-    for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));
+    for (Plan& plan : plans) plan = active.whole(map, order.restored(std::move(plan)));
     return plans;
+}
+
+Plan Planner::planned_crew(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    const Deadline deadline(limits.seconds);
+    crossing::Memory nothing;
+    crossing::Access::exchange(memory_->crossing, nothing);
+    const Searchers searchers{memory_->searcher, memory_->crossing};
+    const auto plan_others = [&](const Mission& others, const Method& how, const Limits& within,
+                                 std::optional<double> share) { return planned(map, others, how, within, share); };
+    const auto plan_all = [&](const Mission& asked, const Limits& within) {
+        crew::CrewPlan made = crew::plan_crew(map, asked, method, within, searchers, plan_others);
+        begin_on_approach(made.mission, made.plan);
+        return std::move(made.plan);
+    };
+    Plan plan = plan_all(mission, limits);
+    if (!method.explain || plan.status != PlanStatus::solved) return plan;
+    explain_team(
+        map, mission, deadline,
+        [&](const Mission& other) {
+            Limits left = limits;
+            left.seconds = std::max(deadline.left(), 1e-3);
+            left.progress = nullptr;
+            return plan_all(other, left);
+        },
+        plan);
+    explain_agents(mission, plan);
+    return plan;
 }
 
 Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
@@ -272,13 +313,14 @@ std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& missio
         how.explain = explained;
         Limits left = limits;
         left.seconds = std::max(deadline.left(), 1e-3);
-        const auto planned = [&](const Mission& asked, const Method& by, const Limits& within) {
+        if (step.clears()) return planned_crew(map, step, how, left);
+        const auto plan_step = [&](const Mission& asked, const Method& by, const Limits& within) {
             if (drives_alone(asked) || explained) return plan_active(map, asked, by, within);
             // Those with fewer removals are here anyway.
             return planned_team(map, asked, by, within, coalition::Fewer::not_tried, memory_->searcher,
                                 memory_->crossing);
         };
-        return within_range(map, step, how, left, planned, nullptr);
+        return within_range(map, step, how, left, plan_step, nullptr);
     };
     const auto reached = [&rules](const Plan& plan) {
         return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());

@@ -33,7 +33,7 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
     const bool one_drives = std::ranges::count_if(mission.agents, drives) == 1;
     for (const Agent& agent : mission.agents) idle_.push_back(is_idle(agent));
     const bool none_active = std::ranges::count_if(mission.agents, flies) == std::ranges::count(idle_, true);
-    if (one_drives && none_active) {
+    if (one_drives && none_active && !mission.clears()) {
         const auto kept = std::ranges::find_if(mission.agents, flies);
         if (kept != mission.agents.end()) idle_[std::size_t(kept - mission.agents.begin())] = false;
     }
@@ -47,7 +47,7 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
         sum_of_idle_ += weighted(agent.weight, flight_time(agent));
     }
     if (!one_drives) return;
-    const bool is_pair = active_.agents.size() == 2;
+    const bool is_pair = active_.agents.size() == 2 && !active_.clears();
     Rules more = active_.rules;
     ++more.removals;
     cut_ = Mission{active_.agents, more}.removals_allowed() < more.removals;

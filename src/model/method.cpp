@@ -58,16 +58,22 @@ void validate_demolition(const Map& map, const Mission& mission, const Method& m
     }
 }
 
-// What cannot be planned yet of a ground agent that opens its own way.
-void validate_own_way(const Mission& mission) {
-    if (!mission.opens_own_way()) return;
+// What cannot be planned of ground agents that breach.
+void validate_own_breaches(const Mission& mission) {
     const auto breaches = std::ranges::find_if(mission.agents, [](const Agent& one) { return one.own_breaches > 0; });
-    const std::string who = "the " + breaches->id + " agent breaches what is in its way itself: ";
+    if (breaches == mission.agents.end()) return;
     const auto contradiction = [&](const std::string& what) {
-        throw InputError(ErrorCode::contradiction, breaches->id, who + what);
+        throw InputError(ErrorCode::contradiction, breaches->id,
+                         "the " + breaches->id +
+                             (mission.clears() ? " agent breaches from the ground: "
+                                               : " agent breaches what is in its way itself: ") +
+                             what);
     };
-    if (mission.agents.size() > 1) contradiction("it must be the mission's only agent");
     if (mission.rules.timing == Timing::ignore) contradiction("that takes time, so timing must be enforced");
+    if (mission.clears()) {
+        if (mission.rules.minimise_demolition) contradiction("demolition is minimised where only aircraft breach");
+        return;
+    }
     if (!mission.rules.force.empty()) contradiction("no other obstacle can be forced");
     if (!mission.counts_alike()) contradiction("weight and unreached are for several agents");
 }
@@ -84,6 +90,7 @@ void validate_capacity(const Mission& mission) {
             if (is_limited)
                 throw InputError(ErrorCode::contradiction, "",
                                  "breaches is for air agents: the " + agent.id + " agent drives");
+            capacity += agent.own_breaches;
             continue;
         }
         if (agent.breaches < 0)
@@ -95,7 +102,7 @@ void validate_capacity(const Mission& mission) {
     if (forced > capacity) {
         throw InputError(ErrorCode::contradiction, "",
                          capacity == 0 ? "there is no air agent to remove what must be removed"
-                                       : "the air agents may breach " + std::to_string(capacity) + " obstacles, but " +
+                                       : "the agents may breach " + std::to_string(capacity) + " obstacles, but " +
                                              std::to_string(forced) + " must be removed");
     }
 }
@@ -147,7 +154,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
         }
     }
     validate(map, mission);
-    validate_own_way(mission);
+    validate_own_breaches(mission);
     validate_capacity(mission);
     validate_team(ActivePart(mission).mission(), method);
     validate_demolition(map, mission, method);

@@ -245,11 +245,15 @@ bool Mission::counts_alike() const {
 }
 
 bool Mission::is_team() const {
-    return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind || !counts_alike());
+    return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind || !counts_alike() || clears());
 }
 
 bool Mission::opens_own_way() const {
-    return std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
+    return agents.size() == 1 && agents.front().own_breaches > 0;
+}
+
+bool Mission::clears() const {
+    return agents.size() > 1 && std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
 }
 
 bool Mission::limits_flights() const {

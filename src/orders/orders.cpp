@@ -31,7 +31,7 @@ Moment breach_of(const Breach& breach, std::size_t agent, const std::vector<Wayp
 // Of one ground and one air agent the plan does not say who breaches.
 std::size_t breacher_of(const Breach& breach, const Plan& plan) {
     const auto is_it = [&](const Itinerary& agent) {
-        return agent.kind == AgentKind::air && (breach.by.empty() || agent.id == breach.by);
+        return breach.by.empty() ? agent.kind == AgentKind::air : agent.id == breach.by;
     };
     return std::size_t(std::ranges::find_if(plan.agents, is_it) - plan.agents.begin());
 }
@@ -42,7 +42,7 @@ void add_opening_orders(const Map& map, const Mission& mission, Plan& plan) {
         if (by == plan.agents.size()) continue;
         const Moment before = breach_of(breach, by, plan.agents[by].path);
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-            if (plan.agents[i].kind == AgentKind::air) continue;
+            if (plan.agents[i].kind == AgentKind::air || i == by) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
             // Who only grazes it, give or take rounding, does not enter.
             const double radius = std::max(standing_radius(mission.agents[i].body) - order_clearance, 0.0);
@@ -79,7 +79,9 @@ void add_passing_orders(const Mission& mission, Plan& plan) {
             orders::add_passing_orders(pair, precisions[which], found);
         }
         orders::leave_out_implied(found);
-        const std::vector<bool> stuck = orders::stuck_agents(found, plan.agents.size());
+        std::vector<Order> all = found;
+        all.insert(all.end(), plan.orders.begin(), plan.orders.end());
+        const std::vector<bool> stuck = orders::stuck_agents(all, plan.agents.size());
         done = true;
         for (std::size_t i = 0; i < stuck.size(); ++i) {
             if (!stuck[i] || precision[i] + 1 == precisions.size()) continue;

@@ -116,6 +116,21 @@ inline Underway any_own_way(int side, int most_retries) {
     return drawn;
 }
 
+// Of a vehicle that clears for up to two others, perhaps beside an aircraft; before it begins.
+inline Underway any_crew(int side, int most_retries) {
+    const PlainMap plain = *random_map(side, side);
+    Underway drawn{Map(plain.grid()), any_mission(plain, 3, most_retries)};
+    drawn.mission.agents.front().own_breaches = *number(1, 3);
+    try {
+        validate(drawn.map, drawn.mission);
+    } catch (const InputError&) {
+        RC_DISCARD("two stand too near");
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    return drawn;
+}
+
 // Some time after it began; nothing is reported but that.
 inline Underway any_underway(int side, bool zoned = false, bool batteries = false) {
     Underway drawn = any_planned(side, 2, 1, zoned, batteries);

@@ -102,6 +102,18 @@ RC_GTEST_PROP(Rehearse, NoRunOfAnAgentThatOpensItsOwnWayIsIllegal, ()) {
     expect_legal(any_own_way(14, 2));
 }
 
+RC_GTEST_PROP(Rehearse, NoRunOfACrewIsIllegal, ()) {
+    expect_legal(any_crew(12, 1));
+}
+
+RC_GTEST_PROP(Rehearse, OfACrewIsNoLaterThanPlannedWithoutDraws, ()) {
+    const Rehearsable drawn = any_crew(12, 1);
+    const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
+    RC_ASSERT(faults(rehearsal) == "");
+    RC_ASSERT(rehearsal.arrived == 1);
+    RC_ASSERT(rehearsal.makespan.worst <= rehearsal.planned * (1 + 1e-9) + 1e-6 + steps(drawn));
+}
+
 RC_GTEST_PROP(Rehearse, OfAnAgentThatOpensItsOwnWayIsAsPlannedWithoutDraws, ()) {
     const Rehearsable drawn = any_own_way(14, 2);
     const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});

@@ -4,7 +4,6 @@ import {
   type Aircraft,
   isLimited,
   type MissionAgent,
-  opensOwnWay,
   placeOf,
   usualAircraft,
   usualVehicle,
@@ -44,7 +43,7 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
       ...common,
       radius: agent.radius,
       ...(agent.readyAt > 0 && { ready_at: agent.readyAt }),
-      ...(opensOwnWay(agents) && { breaches: agent.breaches }),
+      ...(agent.breaches > 0 && { breaches: agent.breaches }),
     };
   });
 }
@@ -73,7 +72,7 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
     const speed = speedOf(agent, scale);
     if (kind === "ground") {
       const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
-      const breaches = documents.length === 1 ? (agent.breaches ?? usualVehicle.breaches) : usualVehicle.breaches;
+      const { breaches = usualVehicle.breaches } = agent;
       return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds), breaches, weight };
     }
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };

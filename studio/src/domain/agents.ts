@@ -12,7 +12,7 @@ export interface Vehicle {
   speed: number;
   radius: number; // cells
   readyAt: number; // it stands at its start until then
-  breaches: number; // how many obstacles it may breach in its own way, if nobody else takes part
+  breaches: number; // how many obstacles it may breach itself, for itself or for others
   weight: number; // what its arrival counts in the sum of arrivals
 }
 
@@ -45,9 +45,16 @@ export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Age
   ];
 }
 
-// One vehicle and one aircraft that count alike: the mission of the paper, and of whoever has added nobody.
-export function isPair(agents: readonly { kind: MissionAgent["kind"]; weight?: number }[]): boolean {
-  return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind && agents.every(({ weight = 1 }) => weight === 1);
+// One vehicle that breaches nothing and one aircraft, which count alike: the mission of the paper, and of whoever has added
+// nobody.
+type PairAgent = Pick<MissionAgent, "kind"> & { weight?: number; breaches?: number | null };
+export function isPair(agents: readonly PairAgent[]): boolean {
+  const alike = agents.every(({ weight = 1 }) => weight === 1);
+  return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind && alike && !agents.some(breachesFromTheGround);
+}
+
+function breachesFromTheGround({ kind, breaches }: PairAgent): boolean {
+  return kind === "ground" && (breaches ?? 0) > 0;
 }
 
 // What of a mission says who arrives, and what that counts.
@@ -61,14 +68,9 @@ export function hasPaperMethod({ agents, unreached }: Counted): boolean {
   return isPair(agents) && unreached === null;
 }
 
-// Whether the only agent breaks what is in its way.
-export function opensOwnWay(agents: Agents): boolean {
-  return agents.length === 1 && vehiclesOf(agents).some(({ breaches }) => breaches > 0);
-}
-
 // Whether anybody may open the way: without them nothing is removed.
 export function canOpen(agents: Agents): boolean {
-  return aircraftOf(agents).length > 0 || opensOwnWay(agents);
+  return aircraftOf(agents).length > 0 || agents.some(breachesFromTheGround);
 }
 
 // Whether its battery ends.
@@ -83,7 +85,8 @@ export function limitsFlights(agents: Agents): boolean {
 // Whether aircraft open the way for one vehicle: then nobody gets in anybody's way, and plans are fast.
 export function drivesAlone({ agents, unreached }: Counted): boolean {
   const alike = unreached === null && agents.every(({ weight }) => weight === 1);
-  return alike && vehiclesOf(agents).length === 1 && aircraftOf(agents).length > 0;
+  const clears = agents.some(breachesFromTheGround);
+  return alike && !clears && vehiclesOf(agents).length === 1 && aircraftOf(agents).length > 0;
 }
 
 export function vehiclesOf(agents: Agents): Vehicle[] {
@@ -143,12 +146,15 @@ export function vehiclesFirst(agents: Agents): Agents {
 }
 
 // With one agent more. Whoever is called by its kind gets a name that tells it from others, unless they are a pair again.
-// Beside others nobody breaks its own way.
+// An aircraft that joins a robot which is alone takes its breaches over.
 export function joined(agents: Agents, one: MissionAgent): Agents {
-  const alone = agents.map((agent) => (agent.kind === "ground" ? { ...agent, breaches: usualVehicle.breaches } : agent));
-  const named = alone.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
+  const isTakenOver = agents.length === 1 && one.kind === "air";
+  const others = agents.map((agent) =>
+    agent.kind === "ground" && isTakenOver ? { ...agent, breaches: usualVehicle.breaches } : agent,
+  );
+  const named = others.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
   const all = vehiclesFirst([...named, { ...one, id: freshId(named, one.kind) }]);
-  return isPair(all) ? vehiclesFirst([...alone, { ...one, id: one.kind }]) : all;
+  return isPair(all) ? vehiclesFirst([...others, { ...one, id: one.kind }]) : all;
 }
 
 // The vehicle of a pair without its aircraft: it breaks what is in its way itself.

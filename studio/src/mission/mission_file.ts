@@ -185,7 +185,6 @@ export function leftOut(
     ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(says("flown", "air") ? ["flown"] : []),
-    ...(says("breaches", "ground") && agents.length > 1 ? ["breaches of vehicles beside others"] : []),
     ...batteryNames.filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];

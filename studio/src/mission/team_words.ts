@@ -1,4 +1,5 @@
 // Plans of teams in plain words.
+import { type Agents, canOpen } from "../domain/agents";
 import { plainName } from "../domain/plain_name";
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
@@ -43,7 +44,8 @@ function gain(plan: Plan, share: number): string {
 
 function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string {
   if (String(plan.options.select) === "none") return unasked;
-  const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
+  const clears = plan.mission ? canOpen(plan.mission.agents as Agents) : false;
+  const mayRemove = (countOf(plan, "air") > 0 || clears) && plan.options.removals !== 0;
   if (!mayRemove && plan.mission?.rules?.collisions === false) return "With nothing removed";
   if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `${vehicles === 2 ? "Both" : `All ${vehicles}`} vehicles arrive without touching`;
   const none = isProven(plan) && !isLooking ? "No removal" : "No removal was found that";

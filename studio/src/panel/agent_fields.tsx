@@ -31,7 +31,12 @@ export function AgentFields({ studio, agents, index }: Props) {
       />
       {agent.kind === "ground" ? (
         <>
-          {agents.length === 1 && <OpensAtMost studio={studio} agents={agents} index={index} label="Opens in its way" />}
+          <OpensAtMost
+            studio={studio}
+            agents={agents}
+            index={index}
+            label={agents.length === 1 ? "Opens in its way" : "Opens at most"}
+          />
           <LeavesNotBefore studio={studio} agents={agents} index={index} />
           <VehicleSize
             label="Width"

@@ -149,6 +149,7 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
       </>
     );
   }
+  const clears = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
   const isOnlyNow = closed?.agents.some((one) => one.id === id && one.reached === false);
   const alone = aloneArrival(plan, index);
   const waited = waits(agent).reduce((sum, { from, until }) => sum + until - from, 0);
@@ -164,6 +165,7 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
           ) : (
             <Gain gain={gainOf(plan, closed, id)} of={at} units={units} />
           )}
+          {clears.length > 0 && <small class="agent-gain">opens {clears.join(", ")}</small>}
         </td>
       )}
       <td>{alone === null ? "no way" : time(alone)}</td>

@@ -243,7 +243,6 @@ it("a mission file says what is left out of it", () => {
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
     "ready_at of aircraft",
-    "breaches of vehicles beside others",
   ]);
 });
 

@@ -1,0 +1,79 @@
+#include "crew/clearing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "crew/standing_place.hpp"
+
+namespace waybreaker::crew {
+namespace {
+
+Point middle_of(const Box& box) {
+    return {(box.min.x + box.max.x) / 2.0, (box.min.y + box.max.y) / 2.0};
+}
+
+}  // namespace
+
+Agent under_way(const Agent& vehicle, const Clearing& clearing) {
+    Agent agent = vehicle;
+    agent.own_breaches = 0;
+    if (clearing.breaches.empty()) return agent;
+    agent.start = clearing.breaches.back().at;
+    agent.ready_at = clearing.path.back().t;
+    agent.approach = clearing.path;
+    return agent;
+}
+
+const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, ObstacleId obstacle, Point next,
+                                               std::vector<ObstacleId> open) {
+    const Body& body = vehicle.body;
+    Key key{body.radius, body.corners, from, obstacle, next.x, next.y, open};
+    const auto [known, is_new] = legs_.try_emplace(std::move(key));
+    if (!is_new) return known->second;
+    const auto place = standing_place(OpenedMap(map_, open), body, from, obstacle, next);
+    if (!place) return known->second;
+    Agent driver = vehicle;
+    driver.start = from;
+    driver.goal = *place;
+    const Trip trip{map_, driver, search_options(method_, body), deadline_};
+    known->second = {*place, waybreaker::open(trip, searchers_, std::move(open)).ground.path};
+    return known->second;
+}
+
+std::optional<Clearing> ClearingDrives::drive(const Agent& vehicle, const Tour& tour,
+                                              std::span<const TimedOpening> opened) {
+    Clearing clearing;
+    if (tour.empty()) return clearing;
+    const auto add = [&](Point at, double time) {
+        const Waypoint point{at.x, at.y, time};
+        if (clearing.path.empty() || clearing.path.back() != point) clearing.path.push_back(point);
+    };
+    clearing.path = vehicle.approach;
+    if (vehicle.approach.empty()) add(vehicle.start, 0);
+    add(vehicle.start, vehicle.ready_at);
+    Cell at = vehicle.start;
+    double time = vehicle.ready_at;
+    for (auto one = tour.begin(); one != tour.end(); ++one) {
+        std::vector<ObstacleId> open(tour.begin(), one);
+        for (const TimedOpening& opening : opened) {
+            if (opening.at <= time) open.push_back(opening.obstacle);
+        }
+        std::ranges::sort(open);
+        const bool is_last = one + 1 == tour.end();
+        const Point next = is_last ? Point(vehicle.goal) : middle_of(map_.obstacle(*(one + 1)).bounds);
+        const Leg& taken = leg(vehicle, at, *one, next, std::move(open));
+        if (taken.path.empty()) return std::nullopt;
+        for (std::size_t i = 1; i < taken.path.size(); ++i) {
+            time += distance(taken.path[i - 1], taken.path[i]) / vehicle.speed;
+            add(taken.path[i], time);
+        }
+        at = taken.to;
+        const double cleared = time + rules_.breach_time.of(map_.obstacle(*one));
+        clearing.breaches.push_back({*one, at, time, cleared});
+        time = cleared;
+        add(at, time);
+    }
+    return clearing;
+}
+
+}  // namespace waybreaker::crew

@@ -1,0 +1,61 @@
+// The drive of a vehicle that breaches obstacles, for itself or for others: from one to the next, then on to its goal.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "drive/opening.hpp"
+#include "waybreaker/method.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::crew {
+
+// What one vehicle breaches, in its order.
+using Tour = std::vector<ObstacleId>;
+
+struct Cleared {
+    ObstacleId obstacle;
+    Cell at;           // where the vehicle stands
+    double begun_at = 0;  // units of time
+    double cleared_at = 0;
+};
+
+struct Clearing {
+    std::vector<Waypoint> path;  // from the vehicle's beginning until its last breach is over
+    std::vector<Cleared> breaches;
+};
+
+// The vehicle as others see it that breaches no more: on that drive, then on its way to its goal.
+Agent under_way(const Agent& vehicle, const Clearing& clearing);
+
+class ClearingDrives {
+  public:
+    // All must outlive it.
+    ClearingDrives(const Map& map, const Rules& rules, const Method& method, const Deadline& deadline,
+                   const Searchers& searchers)
+        : map_(map), rules_(rules), method_(method), deadline_(deadline), searchers_(searchers) {}
+
+    // To each obstacle of the tour by the shortest way past what is open when it sets out: what it has breached, and
+    // `opened`. Empty where it gets to one by no way.
+    std::optional<Clearing> drive(const Agent& vehicle, const Tour& tour, std::span<const TimedOpening> opened);
+
+  private:
+    struct Leg {
+        Cell to;
+        std::vector<Point> path;  // none: there is no way
+    };
+    const Leg& leg(const Agent& vehicle, Cell from, ObstacleId obstacle, Point next, std::vector<ObstacleId> open);
+
+    const Map& map_;
+    const Rules& rules_;
+    const Method& method_;
+    const Deadline& deadline_;
+    Searchers searchers_;
+    using Key = std::tuple<double, Corners, Cell, ObstacleId, double, double, std::vector<ObstacleId>>;
+    std::map<Key, Leg> legs_;
+};
+
+}  // namespace waybreaker::crew

@@ -1,0 +1,372 @@
+#include "crew/crew.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+#include "crew/standing_place.hpp"
+#include "crew/tours.hpp"
+#include "crew/tuning.hpp"
+#include "model/objective.hpp"
+
+namespace waybreaker::crew {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;
+
+// The longest way from a place at which a vehicle breaches an obstacle to a cell of the obstacle's boundary: to the
+// obstacle, and from there to the middle of the cell beside it.
+double to_boundary(const Agent& vehicle) {
+    return vehicle.body.reach() + reach + std::numbers::sqrt2 / 2;
+}
+
+// No agent of a mission has a line break in its id.
+std::string breacher_for(const Agent& vehicle) {
+    return "\n" + vehicle.id;
+}
+
+double reached_by(const Mission& mission, const Plan& plan) {
+    if (plan.status != PlanStatus::solved) return infinity;
+    return value(plan.after, mission.rules.objective).value_or(infinity);
+}
+
+class CrewPlanner {
+  public:
+    CrewPlanner(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                const Searchers& searchers, const Planned& planned)
+        : map_(map),
+          mission_(mission),
+          plain_(method),
+          limits_(limits),
+          searchers_(searchers),
+          planned_(planned),
+          deadline_(limits.seconds),
+          drives_(map, mission.rules, method, deadline_, searchers) {
+        plain_.explain = plain_.bound = false;
+        for (std::size_t i = 0; i < mission.agents.size(); ++i) {
+            const Agent& agent = mission.agents[i];
+            if (agent.own_breaches > 0) clearing_.push_back(i);
+            flies_ = flies_ || (agent.kind == AgentKind::air && agent.breaches > 0);
+        }
+        for (const std::size_t i : clearing_) capacities_.push_back(mission.agents[i].own_breaches);
+    }
+
+    CrewPlan planned() {
+        const Stopwatch total;
+        best_tours_.resize(clearing_.size());
+        evaluate(best_tours_);
+        before_ = best_.plan.before;
+        std::vector<Tours> starts = relaxed_tours();
+        if (relaxed_status_ != PlanStatus::no_plan) {
+            for (Tours& tours : own_ways()) starts.push_back(std::move(tours));
+            for (const Tours& tours : starts) consider(tours);
+            improve();
+        }
+        return result(total);
+    }
+
+  private:
+    bool is_over() const {
+        return deadline_.passed() || limits_.stop.stop_requested() || plans_ >= tuning::most_plans ||
+               best_value_ * (1 - rounding) <= bound_ * (1 + limits_.gap);
+    }
+
+    Limits within(double share) const {
+        Limits limits = limits_;
+        limits.seconds = std::max(deadline_.left() * share, 1e-3);
+        limits.progress = nullptr;
+        return limits;
+    }
+
+    bool may_clear(ObstacleId id) const {
+        const Rules& rules = mission_.rules;
+        return map_.obstacle(id).destructible && !map_.obstacle(id).gone() &&
+               std::ranges::count(rules.protect, id) == 0 &&
+               std::ranges::count(rules.opened, id, &TimedOpening::obstacle) == 0;
+    }
+
+    // What is breached by the plan, by whom in which order; only what vehicles that clear do.
+    Tours tours_of(const Plan& plan) const {
+        Tours tours(clearing_.size());
+        for (const Breach& breach : plan.breaches) {
+            for (std::size_t i = 0; i < clearing_.size(); ++i) {
+                if (breach.by == breacher_for(mission_.agents[clearing_[i]])) tours[i].push_back(breach.obstacle);
+            }
+        }
+        return tours;
+    }
+
+    void add_to_pool(const Plan& plan) {
+        for (const Breach& breach : plan.breaches) {
+            if (pool_.size() < tuning::most_in_pool && std::ranges::count(pool_, breach.obstacle) == 0)
+                pool_.push_back(breach.obstacle);
+        }
+    }
+
+    // Bounds the objective, and says which tours to begin with.
+    std::vector<Tours> relaxed_tours() {
+        Mission relaxed = mission_;
+        double saved = 0;  // by an aircraft that is nearer, on each breach
+        for (const std::size_t i : clearing_) {
+            const Agent& vehicle = mission_.agents[i];
+            relaxed.agents[i].own_breaches = 0;
+            Agent breacher = aircraft(breacher_for(vehicle), vehicle.start, vehicle.goal);
+            breacher.speed = vehicle.speed;
+            breacher.ready_at = vehicle.ready_at;
+            breacher.weight = 0;
+            breacher.breaches = vehicle.own_breaches;
+            relaxed.agents.push_back(std::move(breacher));
+            saved = std::max(saved, 2 * to_boundary(vehicle) / vehicle.speed);
+        }
+        // It is taken from the time of a breach, as far as that goes.
+        double& of_breach = relaxed.rules.breach_time.per_obstacle;
+        const double taken = std::min(of_breach, saved);
+        of_breach -= taken;
+        Method method = plain_;
+        method.flight = FlightRule::optimal;
+        method.bound = true;
+        const std::vector<Plan> plans = planned_(relaxed, method, within(tuning::share_of_relaxation),
+                                                 tuning::share_of_alternatives);
+        relaxed_status_ = plans.front().status;
+        limited_ = limited_ || plans.front().limit_reached;
+        if (plans.front().bound) {
+            double weight = 1;
+            if (mission_.rules.objective == Objective::flowtime) {
+                weight = 0;
+                for (const Agent& agent : mission_.agents) weight += agent.weight;
+            }
+            const int breaches = mission_.removals_allowed();
+            bound_ = std::max(*plans.front().bound - weight * breaches * (saved - taken), 0.0);
+            has_bound_ = true;
+        }
+        std::vector<Tours> tours;
+        for (const Plan& plan : plans) {
+            if (plan.status != PlanStatus::solved) continue;
+            add_to_pool(plan);
+            tours.push_back(tours_of(plan));
+        }
+        return tours;
+    }
+
+    // What each would breach that had the map for itself, alone and all together.
+    std::vector<Tours> own_ways() {
+        std::vector<Tours> found;
+        Tours all(clearing_.size());
+        for (std::size_t i = 0; i < clearing_.size(); ++i) {
+            Mission alone{{mission_.agents[clearing_[i]]}, mission_.rules};
+            alone.rules.force.clear();
+            alone.rules.unreached.reset();
+            alone.agents.front().weight = 1;
+            Method method = plain_;
+            method.bound = true;
+            const Plan plan = planned_(alone, method, within(tuning::share_of_plan), std::nullopt).front();
+            if (plan.status != PlanStatus::solved) continue;
+            // Nobody else opens anything for it.
+            const bool is_only_one = clearing_.size() == 1 && !flies_;
+            if (is_only_one && plan.bound && !mission_.rules.unreached &&
+                mission_.rules.objective != Objective::flowtime)
+                bound_ = std::max(bound_, *plan.bound);
+            add_to_pool(plan);
+            Tours tours(clearing_.size());
+            for (const Breach& breach : plan.breaches) {
+                tours[i].push_back(breach.obstacle);
+                const bool is_new = std::ranges::count(obstacles_of(all), breach.obstacle) == 0;
+                if (is_new) all[i].push_back(breach.obstacle);
+            }
+            found.push_back(std::move(tours));
+        }
+        if (clearing_.size() > 1) found.push_back(std::move(all));
+        return found;
+    }
+
+    // The others' mission past what is cleared; empty if that cannot be.
+    std::optional<Mission> beside(const Tours& tours, std::vector<Clearing>& clearings) {
+        Mission others = mission_;
+        Rules& rules = others.rules;
+        for (const ObstacleId id : obstacles_of(tours)) {
+            if (!may_clear(id)) return std::nullopt;
+            rules.budget -= map_.obstacle(id).weight;
+            std::erase(rules.force, id);
+            --rules.removals;
+        }
+        if (rules.removals < 0 || rules.budget < 0) return std::nullopt;
+        for (std::size_t i = 0; i < clearing_.size(); ++i) {
+            const Agent& vehicle = mission_.agents[clearing_[i]];
+            std::optional<Clearing> clearing = drives_.drive(vehicle, tours[i], rules.opened);
+            if (!clearing) return std::nullopt;
+            others.agents[clearing_[i]] = under_way(vehicle, *clearing);
+            if (rules.unreached && others.agents[clearing_[i]].ready_at >= *rules.unreached) return std::nullopt;
+            for (const Cleared& one : clearing->breaches) rules.opened.push_back({one.obstacle, one.cleared_at});
+            clearings.push_back(std::move(*clearing));
+        }
+        const bool may_force = flies_ || rules.force.empty();
+        return may_force ? std::optional(std::move(others)) : std::nullopt;
+    }
+
+    // No plan with these tours is below that; 0 where aircraft may open more.
+    double least(const Tours& tours) {
+        if (flies_) return 0;
+        const std::vector<ObstacleId> removed = obstacles_of(tours);
+        Finish finish;
+        for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
+            const Agent& agent = mission_.agents[i];
+            if (agent.kind == AgentKind::air) continue;
+            double arrival = agent.ready_at + length(i, removed) / agent.speed;
+            const auto place = std::ranges::find(clearing_, i);
+            if (place != clearing_.end()) {
+                for (const ObstacleId id : tours[std::size_t(place - clearing_.begin())])
+                    arrival += mission_.rules.breach_time.of(map_.obstacle(id));
+            }
+            if (mission_.rules.unreached) arrival = std::min(arrival, *mission_.rules.unreached);
+            finish.add(agent, arrival);
+        }
+        return rank(mission_.rules.objective, finish).first;
+    }
+
+    // Of a vehicle's way past what is removed and what opens by itself; a lower bound where its disc is wide.
+    double length(std::size_t vehicle, std::vector<ObstacleId> removed) {
+        for (const TimedOpening& opening : mission_.rules.opened) removed.push_back(opening.obstacle);
+        const auto [known, is_new] = lengths_.try_emplace(std::pair(vehicle, removed), 0.0);
+        if (!is_new) return known->second;
+        const Agent& agent = mission_.agents[vehicle];
+        CrossingOptions options;
+        options.body = agent.body.is_point() ? point_body : agent.body;
+        options.removed = removed;
+        options.relaxed = true;
+        options.limits = within(tuning::share_of_plan);
+        const CrossingResult found = searchers_.crossing.find(map_, agent.start, agent.goal, options);
+        known->second = found.status == SearchStatus::no_path ? infinity : found.lower_bound;
+        return known->second;
+    }
+
+    void evaluate(const Tours& tours) {
+        if (!tried_.insert(tours).second) return;
+        std::vector<Clearing> clearings;
+        std::optional<Mission> others = beside(tours, clearings);
+        if (!others) return;
+        ++plans_;
+        const bool is_first = plans_ == 1;
+        Plan plan = planned_(*others, plain_, within(tuning::share_of_plan), std::nullopt).front();
+        limited_ = limited_ || plan.limit_reached;
+        const double reached = reached_by(mission_, plan);
+        if (!is_first && !(reached < best_value_ * (1 - rounding))) return;
+        best_value_ = reached;
+        best_tours_ = tours;
+        clearings_ = std::move(clearings);
+        best_ = {std::move(plan), std::move(*others)};
+        if (limits_.progress && std::isfinite(reached)) limits_.progress({reached, bound_});
+    }
+
+    void consider(const Tours& tours) {
+        if (!is_over() && least(tours) < best_value_ * (1 - rounding)) evaluate(tours);
+    }
+
+    // One change at a time, the most promising first, until none is better.
+    void improve() {
+        for (bool improved = true; improved && !is_over();) {
+            improved = false;
+            std::vector<std::pair<double, Tours>> next;
+            for (Tours& tours : neighbours(best_tours_, pool_, capacities_, mission_.rules.removals)) {
+                if (tried_.contains(tours)) continue;
+                if (is_over()) return;
+                const double bound = least(tours);
+                if (bound < best_value_ * (1 - rounding)) next.emplace_back(bound, std::move(tours));
+            }
+            std::ranges::stable_sort(next, {}, [](const auto& one) { return one.first; });
+            const double before = best_value_;
+            for (const auto& [bound, tours] : next) {
+                if (is_over()) return;
+                evaluate(tours);
+                improved = best_value_ < before;
+                if (improved) break;
+            }
+        }
+    }
+
+    CrewPlan result(const Stopwatch& total) {
+        Plan& plan = best_.plan;
+        for (Breach& breach : plan.breaches) {
+            if (!breach.by.empty()) continue;
+            breach.by = mission_.first(AgentKind::air).id;
+            breach.begun_at = breach.cleared_at - mission_.rules.breach_time.of(map_.obstacle(breach.obstacle));
+        }
+        for (std::size_t i = 0; i < clearings_.size(); ++i) {
+            for (const Cleared& one : clearings_[i].breaches) {
+                const Obstacle& obstacle = map_.obstacle(one.obstacle);
+                Breach& breach = plan.breaches.emplace_back();
+                breach.obstacle = one.obstacle;
+                breach.source_id = obstacle.source_id;
+                breach.cells = obstacle.cells;
+                breach.at = one.at;
+                breach.begun_at = one.begun_at;
+                breach.cleared_at = one.cleared_at;
+                breach.by = mission_.agents[clearing_[i]].id;
+            }
+        }
+        std::ranges::stable_sort(plan.breaches, {}, &Breach::cleared_at);
+        for (std::size_t i = 0; i < plan.agents.size(); ++i) plan.agents[i].start = mission_.agents[i].start;
+        plan.before = before_;
+        plan.bound.reset();
+        plan.gap.reset();
+        if (plan.status == PlanStatus::solved) {
+            if (has_bound_) {
+                plan.bound = std::min(bound_, best_value_);
+                if (*plan.bound > 0) plan.gap = best_value_ / *plan.bound - 1;
+                if (best_value_ <= *plan.bound) plan.gap = 0;
+            }
+        } else if (relaxed_status_ == PlanStatus::no_plan) {
+            plan.status = PlanStatus::no_plan;
+        } else if (plan.status == PlanStatus::no_plan) {
+            plan.status = limited_ || deadline_.passed() ? PlanStatus::limit_reached : PlanStatus::not_found;
+        }
+        const bool stopped = limits_.stop.stop_requested();
+        if (plan.status == PlanStatus::limit_reached && stopped) plan.status = PlanStatus::stopped;
+        plan.limit_reached = limited_ || deadline_.passed() || stopped;
+        plan.seconds.total = total.seconds();
+        return std::move(best_);
+    }
+
+    const Map& map_;
+    const Mission& mission_;
+    Method plain_;
+    const Limits& limits_;
+    Searchers searchers_;
+    const Planned& planned_;
+    Deadline deadline_;
+    ClearingDrives drives_;
+
+    std::vector<std::size_t> clearing_;  // the vehicles that clear, as places in the mission
+    std::vector<int> capacities_;
+    bool flies_ = false;  // an aircraft that may breach
+
+    std::vector<ObstacleId> pool_;
+    std::map<std::pair<std::size_t, std::vector<ObstacleId>>, double> lengths_;
+    std::set<Tours> tried_;
+    std::size_t plans_ = 0;
+    double bound_ = 0;
+    bool has_bound_ = false;
+    bool limited_ = false;
+    PlanStatus relaxed_status_ = PlanStatus::not_found;
+
+    Outcome before_;
+    double best_value_ = infinity;
+    Tours best_tours_;
+    std::vector<Clearing> clearings_;
+    CrewPlan best_;
+};
+
+}  // namespace
+
+CrewPlan plan_crew(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                   const Searchers& searchers, const Planned& planned) {
+    return CrewPlanner(map, mission, method, limits, searchers, planned).planned();
+}
+
+}  // namespace waybreaker::crew

@@ -1,0 +1,57 @@
+#include "crew/tours.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace waybreaker::crew {
+
+std::vector<ObstacleId> obstacles_of(const Tours& tours) {
+    std::vector<ObstacleId> all;
+    for (const Tour& tour : tours) all.insert(all.end(), tour.begin(), tour.end());
+    std::ranges::sort(all);
+    return all;
+}
+
+std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> pool, std::span<const int> capacities,
+                              int most) {
+    std::vector<Tours> found;
+    std::set<Tours> seen{tours};
+    const auto add = [&](Tours other) {
+        for (std::size_t i = 0; i < other.size(); ++i) {
+            if (std::ssize(other[i]) > capacities[i]) return;
+        }
+        if (std::ssize(obstacles_of(other)) > most || !seen.insert(other).second) return;
+        found.push_back(std::move(other));
+    };
+    const std::vector<ObstacleId> used = obstacles_of(tours);
+    const auto with = [](Tours changed, std::size_t tour, std::size_t place, ObstacleId id) {
+        changed[tour].insert(changed[tour].begin() + std::ptrdiff_t(place), id);
+        return changed;
+    };
+    const auto without = [](Tours changed, std::size_t tour, std::size_t place) {
+        changed[tour].erase(changed[tour].begin() + std::ptrdiff_t(place));
+        return changed;
+    };
+    const auto add_with_any = [&](const Tours& base, ObstacleId id) {
+        for (std::size_t i = 0; i < base.size(); ++i) {
+            for (std::size_t place = 0; place <= base[i].size(); ++place) add(with(base, i, place, id));
+        }
+    };
+    for (const ObstacleId id : pool) {
+        if (!std::ranges::binary_search(used, id)) add_with_any(tours, id);
+    }
+    for (std::size_t i = 0; i < tours.size(); ++i) {
+        for (std::size_t place = 0; place < tours[i].size(); ++place) {
+            const Tours less = without(tours, i, place);
+            add(less);
+            add_with_any(less, tours[i][place]);
+            for (const ObstacleId id : pool) {
+                if (!std::ranges::binary_search(used, id)) add_with_any(less, id);
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace waybreaker::crew

@@ -1,0 +1,22 @@
+// The tours that are tried: those one change away from others.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "crew/clearing.hpp"
+
+namespace waybreaker::crew {
+
+// One for each vehicle that clears; none has what another has.
+using Tours = std::vector<Tour>;
+
+// With one obstacle more, one less, one in another place, or another one instead: those that breach no more than
+// `most` together, and tours[i] no more than capacities[i]. Obstacles are of the pool. In a fixed order, each once.
+std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> pool, std::span<const int> capacities,
+                              int most);
+
+// All that are breached, in id order.
+std::vector<ObstacleId> obstacles_of(const Tours& tours);
+
+}  // namespace waybreaker::crew

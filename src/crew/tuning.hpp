@@ -1,0 +1,19 @@
+// Tuning: every constant of this folder that was chosen by measurement. None changes what a plan or a bound means.
+#pragma once
+
+#include <cstddef>
+
+namespace waybreaker::crew::tuning {
+
+// Share of the time for the relaxed mission, which says what is worth to be breached.
+inline constexpr double share_of_relaxation = 0.3;
+// Share of the time that is left, for each single plan of the others past a clearing.
+inline constexpr double share_of_plan = 0.25;
+// Relative: the relaxed mission's other sets are tried as well if they are worse than its best by up to so much.
+inline constexpr double share_of_alternatives = 0.1;
+// Obstacles that tours are made of.
+inline constexpr std::size_t most_in_pool = 16;
+// Plans of the others; most searches end before.
+inline constexpr std::size_t most_plans = 400;
+
+}  // namespace waybreaker::crew::tuning

@@ -1,0 +1,28 @@
+import { expect, it } from "vitest";
+import { agentDocuments, agentsOf } from "../../src/domain/agent_document";
+import { canOpen, drivesAlone, isPair, joined, onItsOwn, pair, usualAircraft, usualVehicle } from "../../src/domain/agents";
+
+const robot = onItsOwn(pair([1, 2], [8, 2]), 3);
+const another = { kind: "ground", id: "2", start: [1, 5], goal: [8, 5], ...usualVehicle } as const;
+const aircraft = { kind: "air", id: "air", ...usualAircraft } as const;
+
+it("a robot that breaches clears for a vehicle that joins it", () => {
+  const crew = joined(robot, another);
+  expect(crew.map(({ breaches }) => breaches)).toEqual([3, 0]);
+  expect(canOpen(crew)).toBe(true);
+  const documents = agentDocuments(crew, 1);
+  expect(documents.map(({ breaches }) => breaches)).toEqual([3, undefined]);
+  expect(agentsOf(documents, { cell: 1, seconds: 1 })).toEqual(crew);
+});
+
+it("an aircraft takes the breaches of a robot over that is alone", () => {
+  const both = joined(robot, aircraft);
+  expect(both.map(({ breaches }) => breaches)).toEqual([0, null]);
+  expect(isPair(both)).toBe(true);
+});
+
+it("a vehicle that breaches and an aircraft are no pair", () => {
+  const crew = [...robot, aircraft];
+  expect(isPair(crew)).toBe(false);
+  expect(drivesAlone({ agents: crew, unreached: null })).toBe(false);
+});
