@@ -118,8 +118,8 @@ class OrdersJudge {
         const bool opens = order.reason == OrderReason::opening;
         const bool may_be_first =
             first.kind == AgentKind::ground ? !opens || asked(order.before.agent).own_breaches > 0 : opens;
-        const bool fits = second.kind == AgentKind::ground && &first != &second && may_be_first &&
-                          bool(order.obstacle) == opens;
+        const bool fits =
+            second.kind == AgentKind::ground && &first != &second && may_be_first && bool(order.obstacle) == opens;
         if (!fits) return report(who + " is none that these two can have", second.id, order.obstacle);
         const double before = time_at(first.path, order.before);
         const double after = time_at(second.path, order.after);

@@ -24,10 +24,11 @@ Agent under_way(const Agent& vehicle, const Clearing& clearing) {
     return agent;
 }
 
-const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, ObstacleId obstacle, Point next,
-                                               std::vector<ObstacleId> open) {
+const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, ObstacleId obstacle,
+                                               std::optional<Point> next, std::vector<ObstacleId> open) {
     const Body& body = vehicle.body;
-    Key key{body.radius, body.corners, from, obstacle, next.x, next.y, open};
+    Key key{body.radius, body.corners, from, obstacle, {}, open};
+    if (next) std::get<4>(key) = {next->x, next->y};
     const auto [known, is_new] = legs_.try_emplace(std::move(key));
     if (!is_new) return known->second;
     const auto place = standing_place(OpenedMap(map_, open), body, from, obstacle, next);
@@ -54,22 +55,26 @@ std::optional<Clearing> ClearingDrives::drive(const Agent& vehicle, const Tour& 
     Cell at = vehicle.start;
     double time = vehicle.ready_at;
     for (auto one = tour.begin(); one != tour.end(); ++one) {
-        std::vector<ObstacleId> open(tour.begin(), one);
+        std::vector<ObstacleId> open;
+        for (auto before = tour.begin(); before != one; ++before) open.push_back(before->obstacle);
         for (const TimedOpening& opening : opened) {
             if (opening.at <= time) open.push_back(opening.obstacle);
         }
         std::ranges::sort(open);
-        const bool is_last = one + 1 == tour.end();
-        const Point next = is_last ? Point(vehicle.goal) : middle_of(map_.obstacle(*(one + 1)).bounds);
-        const Leg& taken = leg(vehicle, at, *one, next, std::move(open));
+        std::optional<Point> next;
+        if (one->place == Place::onward) {
+            const bool is_last = one + 1 == tour.end();
+            next = is_last ? Point(vehicle.goal) : middle_of(map_.obstacle((one + 1)->obstacle).bounds);
+        }
+        const Leg& taken = leg(vehicle, at, one->obstacle, next, std::move(open));
         if (taken.path.empty()) return std::nullopt;
         for (std::size_t i = 1; i < taken.path.size(); ++i) {
             time += distance(taken.path[i - 1], taken.path[i]) / vehicle.speed;
             add(taken.path[i], time);
         }
         at = taken.to;
-        const double cleared = time + rules_.breach_time.of(map_.obstacle(*one));
-        clearing.breaches.push_back({*one, at, time, cleared});
+        const double cleared = time + rules_.breach_time.of(map_.obstacle(one->obstacle));
+        clearing.breaches.push_back({one->obstacle, at, time, cleared});
         time = cleared;
         add(at, time);
     }

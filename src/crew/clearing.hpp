@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "drive/opening.hpp"
@@ -13,12 +14,21 @@
 
 namespace waybreaker::crew {
 
+// Where a vehicle stands: where it gets to soonest, or where it loses the least on its way to what comes next.
+enum class Place { soonest, onward };
+
+struct Stop {
+    ObstacleId obstacle;
+    Place place = Place::onward;
+    friend auto operator<=>(const Stop&, const Stop&) = default;
+};
+
 // What one vehicle breaches, in its order.
-using Tour = std::vector<ObstacleId>;
+using Tour = std::vector<Stop>;
 
 struct Cleared {
     ObstacleId obstacle;
-    Cell at;           // where the vehicle stands
+    Cell at;              // where the vehicle stands
     double begun_at = 0;  // units of time
     double cleared_at = 0;
 };
@@ -47,14 +57,16 @@ class ClearingDrives {
         Cell to;
         std::vector<Point> path;  // none: there is no way
     };
-    const Leg& leg(const Agent& vehicle, Cell from, ObstacleId obstacle, Point next, std::vector<ObstacleId> open);
+    const Leg& leg(const Agent& vehicle, Cell from, ObstacleId obstacle, std::optional<Point> next,
+                   std::vector<ObstacleId> open);
 
     const Map& map_;
     const Rules& rules_;
     const Method& method_;
     const Deadline& deadline_;
     Searchers searchers_;
-    using Key = std::tuple<double, Corners, Cell, ObstacleId, double, double, std::vector<ObstacleId>>;
+    using Key = std::tuple<double, Corners, Cell, ObstacleId, std::optional<std::pair<double, double>>,
+                           std::vector<ObstacleId>>;
     std::map<Key, Leg> legs_;
 };
 

@@ -67,6 +67,7 @@ class CrewPlanner {
         if (relaxed_status_ != PlanStatus::no_plan) {
             for (Tours& tours : own_ways()) starts.push_back(std::move(tours));
             for (const Tours& tours : starts) consider(tours);
+            fill_pool();
             improve();
         }
         return result(total);
@@ -97,17 +98,37 @@ class CrewPlanner {
         Tours tours(clearing_.size());
         for (const Breach& breach : plan.breaches) {
             for (std::size_t i = 0; i < clearing_.size(); ++i) {
-                if (breach.by == breacher_for(mission_.agents[clearing_[i]])) tours[i].push_back(breach.obstacle);
+                if (breach.by == breacher_for(mission_.agents[clearing_[i]])) tours[i].push_back({breach.obstacle});
             }
         }
         return tours;
     }
 
+    void add_to_pool(ObstacleId id) {
+        if (pool_.size() < tuning::most_in_pool && may_clear(id) && std::ranges::count(pool_, id) == 0)
+            pool_.push_back(id);
+    }
     void add_to_pool(const Plan& plan) {
-        for (const Breach& breach : plan.breaches) {
-            if (pool_.size() < tuning::most_in_pool && std::ranges::count(pool_, breach.obstacle) == 0)
-                pool_.push_back(breach.obstacle);
+        for (const Breach& breach : plan.breaches) add_to_pool(breach.obstacle);
+    }
+
+    // What is in the way of each vehicle; all there is where that is little.
+    void fill_pool() {
+        for (int crossings = 1; crossings <= std::min(mission_.removals_allowed(), tuning::most_crossings);
+             ++crossings) {
+            for (const Agent& agent : mission_.agents) {
+                if (agent.kind == AgentKind::air || is_over()) continue;
+                CrossingOptions options;
+                options.body = agent.body.is_point() ? point_body : agent.body;
+                options.crossings = crossings;
+                options.protect = mission_.rules.protect;
+                options.limits = within(tuning::share_of_plan);
+                const CrossingResult way = searchers_.crossing.find(map_, agent.start, agent.goal, options);
+                for (const ObstacleId id : way.best.crossed) add_to_pool(id);
+            }
         }
+        if (map_.obstacles().size() > tuning::most_in_pool) return;
+        for (const Obstacle& obstacle : map_.obstacles()) add_to_pool(obstacle.id);
     }
 
     // Bounds the objective, and says which tours to begin with.
@@ -132,8 +153,8 @@ class CrewPlanner {
         Method method = plain_;
         method.flight = FlightRule::optimal;
         method.bound = true;
-        const std::vector<Plan> plans = planned_(relaxed, method, within(tuning::share_of_relaxation),
-                                                 tuning::share_of_alternatives);
+        const std::vector<Plan> plans =
+            planned_(relaxed, method, within(tuning::share_of_relaxation), tuning::share_of_alternatives);
         relaxed_status_ = plans.front().status;
         limited_ = limited_ || plans.front().limit_reached;
         if (plans.front().bound) {
@@ -176,9 +197,9 @@ class CrewPlanner {
             add_to_pool(plan);
             Tours tours(clearing_.size());
             for (const Breach& breach : plan.breaches) {
-                tours[i].push_back(breach.obstacle);
+                tours[i].push_back({breach.obstacle});
                 const bool is_new = std::ranges::count(obstacles_of(all), breach.obstacle) == 0;
-                if (is_new) all[i].push_back(breach.obstacle);
+                if (is_new) all[i].push_back({breach.obstacle});
             }
             found.push_back(std::move(tours));
         }
@@ -221,8 +242,8 @@ class CrewPlanner {
             double arrival = agent.ready_at + length(i, removed) / agent.speed;
             const auto place = std::ranges::find(clearing_, i);
             if (place != clearing_.end()) {
-                for (const ObstacleId id : tours[std::size_t(place - clearing_.begin())])
-                    arrival += mission_.rules.breach_time.of(map_.obstacle(id));
+                for (const Stop& stop : tours[std::size_t(place - clearing_.begin())])
+                    arrival += mission_.rules.breach_time.of(map_.obstacle(stop.obstacle));
             }
             if (mission_.rules.unreached) arrival = std::min(arrival, *mission_.rules.unreached);
             finish.add(agent, arrival);

@@ -36,13 +36,14 @@ bool is_near(const Map& map, Cell at, ObstacleId obstacle, double most) {
 
 }  // namespace
 
-std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle, Point next) {
+std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle,
+                                   std::optional<Point> next) {
     const LineOfSight sight(map, body);
     const Box& box = map.map().obstacle(obstacle).bounds;
     const double most = body.reach() + reach;
     const double grown = most + 1;  // the box of the obstacle by so much holds all places
     const auto to_places = [&](Cell c) { return std::max(to_box(c, box) - grown, 0.0); };
-    const double least_on = std::max(to_box(next, box) - grown, 0.0);  // from any place to `next`
+    const double least_on = next ? std::max(to_box(*next, box) - grown, 0.0) : 0;  // from any place to the next one
     const auto index = [&](Cell c) { return std::size_t(c.y) * std::size_t(map.width()) + std::size_t(c.x); };
     // A*: the least that a drive over a cell to the obstacle can be, then what is driven. Equal ones in scan order.
     using Entry = std::tuple<double, double, std::size_t, Cell>;
@@ -62,7 +63,7 @@ std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell 
         open.pop();
         if (least + least_on >= shortest) break;
         if (length > driven.at(at)) continue;
-        const double whole = length + distance(Point(cell), next);
+        const double whole = length + (next ? distance(Point(cell), *next) : 0);
         if (whole < shortest && to_box(cell, box) <= grown && is_near(map.map(), cell, obstacle, most)) {
             best = cell;
             shortest = whole;

@@ -8,7 +8,9 @@ namespace waybreaker::crew {
 
 std::vector<ObstacleId> obstacles_of(const Tours& tours) {
     std::vector<ObstacleId> all;
-    for (const Tour& tour : tours) all.insert(all.end(), tour.begin(), tour.end());
+    for (const Tour& tour : tours) {
+        for (const Stop& stop : tour) all.push_back(stop.obstacle);
+    }
     std::ranges::sort(all);
     return all;
 }
@@ -25,8 +27,8 @@ std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> po
         found.push_back(std::move(other));
     };
     const std::vector<ObstacleId> used = obstacles_of(tours);
-    const auto with = [](Tours changed, std::size_t tour, std::size_t place, ObstacleId id) {
-        changed[tour].insert(changed[tour].begin() + std::ptrdiff_t(place), id);
+    const auto with = [](Tours changed, std::size_t tour, std::size_t place, const Stop& stop) {
+        changed[tour].insert(changed[tour].begin() + std::ptrdiff_t(place), stop);
         return changed;
     };
     const auto without = [](Tours changed, std::size_t tour, std::size_t place) {
@@ -35,7 +37,9 @@ std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> po
     };
     const auto add_with_any = [&](const Tours& base, ObstacleId id) {
         for (std::size_t i = 0; i < base.size(); ++i) {
-            for (std::size_t place = 0; place <= base[i].size(); ++place) add(with(base, i, place, id));
+            for (std::size_t place = 0; place <= base[i].size(); ++place) {
+                for (const Place stand : {Place::onward, Place::soonest}) add(with(base, i, place, {id, stand}));
+            }
         }
     };
     for (const ObstacleId id : pool) {
@@ -45,7 +49,7 @@ std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> po
         for (std::size_t place = 0; place < tours[i].size(); ++place) {
             const Tours less = without(tours, i, place);
             add(less);
-            add_with_any(less, tours[i][place]);
+            add_with_any(less, tours[i][place].obstacle);
             for (const ObstacleId id : pool) {
                 if (!std::ranges::binary_search(used, id)) add_with_any(less, id);
             }

@@ -13,6 +13,8 @@ inline constexpr double share_of_plan = 0.25;
 inline constexpr double share_of_alternatives = 0.1;
 // Obstacles that tours are made of.
 inline constexpr std::size_t most_in_pool = 16;
+// Crossings on the ways of single vehicles that the pool is filled with.
+inline constexpr int most_crossings = 3;
 // Plans of the others; most searches end before.
 inline constexpr std::size_t most_plans = 400;
 

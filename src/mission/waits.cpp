@@ -113,8 +113,7 @@ class Causes {
             if (mission_.rules.timing == Timing::ignore) break;
             const bool is_breaching = breach.by == driver.id && breach.begun_at && *breach.begun_at < whole.until &&
                                       *breach.begun_at >= whole.from - rounding_at(whole.from);
-            if (is_breaching)
-                add({whenever, breach.cleared_at}, WaitReason::opening, breach.obstacle, breach.by);
+            if (is_breaching) add({whenever, breach.cleared_at}, WaitReason::opening, breach.obstacle, breach.by);
             const auto touched = first_touch(map_, breach.obstacle, run.path, standing_radius(driver.body));
             if (!touched) continue;
             add({whenever, breach.cleared_at - *touched}, WaitReason::opening, breach.obstacle, breacher(breach));

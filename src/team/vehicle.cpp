@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "drive/punctual.hpp"
 #include "model/opened.hpp"
 #include "safe_interval/driven.hpp"
+#include "team/tuning.hpp"
 
 namespace waybreaker::team {
 namespace {
@@ -42,6 +44,48 @@ void go_around_late(const Trip& trip, std::span<const TimedOpening> openings, co
         if (arrival >= vehicle.alone) continue;
         vehicle.alone = arrival;
         vehicle.way = way;
+    }
+}
+
+// The shortest way in time, as the vehicle can drive it; empty where none was found that arrives before
+// `vehicle.alone`.
+std::vector<Cell> way_in_time(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
+                              const std::vector<ObstacleId>& removed, const Vehicle& vehicle) {
+    const Agent& agent = vehicle.agent;
+    CrossingOptions options;
+    options.body = agent.body;
+    options.crossings = int(removed.size());
+    options.only = removed;
+    options.limits = trip.limits(trip.deadline.left());
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_expansions_in_time);
+    options.length_limit = (vehicle.alone - agent.ready_at) * agent.speed;
+    options.opened_after = [&](std::span<const ObstacleId> crossed) {
+        double last = 0;
+        for (const ObstacleId id : crossed)
+            last = std::max(last, std::ranges::find(openings, id, &TimedOpening::obstacle)->at - agent.ready_at);
+        return last * agent.speed;
+    };
+    const CrossingResult found = searchers.crossing.find(trip.map, agent.start, agent.goal, options);
+    if (found.best.path.empty()) return {};
+    const Opening way = drivable(trip, searchers, found.best, removed);
+    return way.status == SearchStatus::found ? cells_of(way.ground.path) : std::vector<Cell>();
+}
+
+// Bends where it would have to wait, and goes where it need not.
+void be_punctual(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
+                 const std::vector<ObstacleId>& removed, const SafeIntervalOptions& driving, Vehicle& vehicle) {
+    const bool may_wait =
+        std::ranges::any_of(openings, [&](const TimedOpening& opening) { return opening.at > vehicle.agent.ready_at; });
+    if (!may_wait || !drives_by_crossing(vehicle.agent.body) || removed.size() > tuning::most_openings_in_time) return;
+    const OpenedMap opened(trip.map, removed);
+    const std::vector<Cell> in_time = way_in_time(trip, openings, searchers, removed, vehicle);
+    for (const std::vector<Cell>& way : {vehicle.way, in_time}) {
+        if (way.empty()) continue;
+        const std::vector<Cell> bent = punctual(opened, vehicle.agent, way, {openings.begin(), openings.end()}).path;
+        const double arrival = safe_interval::driven(trip.map, bent, driving).back().t;
+        if (arrival >= vehicle.alone) continue;
+        vehicle.alone = arrival;
+        vehicle.way = bent;
     }
 }
 
@@ -98,6 +142,7 @@ SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openin
     driving.openings = openings;
     vehicle.alone = safe_interval::driven(map.map(), vehicle.way, driving).back().t;
     go_around_late(trip, openings, {theta, crossing}, removed, driving, vehicle);
+    be_punctual(trip, openings, {theta, crossing}, removed, driving, vehicle);
     const double least =
         std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <random>
 #include <string>
@@ -40,7 +39,8 @@ World any_world(int side) {
     const PlainMap plain = *random_map(side, side);
     World world{Map(plain.grid()), {}};
     const auto add = [&](const std::string& id, int own_breaches) {
-        Agent agent = vehicle(id, any_free_cell(plain), any_free_cell(plain), *rc::gen::element(0.0, 0.4, 0.5, 0.5, 0.9));
+        Agent agent =
+            vehicle(id, any_free_cell(plain), any_free_cell(plain), *rc::gen::element(0.0, 0.4, 0.5, 0.5, 0.9));
         agent.speed = *rc::gen::element(0.5, 1.0, 2.0);
         agent.ready_at = *rc::gen::element(0.0, 0.0, 3.0);
         agent.weight = *rc::gen::element(1.0, 1.0, 3.0);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(Crew, HasOnePlanWhateverTheOrderOfAgents, ()) {
     RC_ASSERT(reached(world.mission, plan) == reached(turned, other));
 }
 
-// One of a point that clears and one of a point that drives, where they are not in each other's way: the best of all
+// One that clears and one that drives, where they are not in each other's way: the best of all
 // tours of up to two obstacles, whatever the cells it breaches them from.
 class AllTours {
   public:
@@ -108,7 +108,7 @@ class AllTours {
 
   private:
     double length(Cell from, Cell to, const std::vector<ObstacleId>& open) {
-        const CrossingResult way = searcher_.find(map_, from, to, {.body = point_body, .removed = open});
+        const CrossingResult way = searcher_.find(map_, from, to, {.body = {}, .removed = open});
         return way.status == SearchStatus::found ? way.best.length : infinity;
     }
 
@@ -178,7 +178,7 @@ Drawn drawn_pair(std::uint32_t seed) {
     const Cell dozer_goal = any_free();
     const Cell rover_start = any_free();
     const Cell rover_goal = any_free();
-    Mission mission{{vehicle("dozer", dozer_start, dozer_goal, 0), vehicle("rover", rover_start, rover_goal, 0)}};
+    Mission mission{{vehicle("dozer", dozer_start, dozer_goal), vehicle("rover", rover_start, rover_goal)}};
     mission.agents.front().own_breaches = 2;
     mission.rules.removals = 2;
     mission.rules.collisions = false;
@@ -205,11 +205,9 @@ TEST(Crew, IsHardlyWorseThanTheBestOfAllTours) {
         if (own <= best * (1 + 1e-9)) ++as_good;
         excess += own / best - 1;
     }
-    RecordProperty("as_good", as_good);
-    RecordProperty("solved", solved);
-    std::printf("%d of %d as good, mean excess %.4f\n", as_good, solved, excess / solved);
-    EXPECT_GE(as_good, solved * 8 / 10);
-    EXPECT_LE(excess / solved, 0.01);
+    EXPECT_GE(as_good, solved * 9 / 10);
+    // A vehicle may stand farther from what it breaches than these do.
+    EXPECT_LE(excess / solved, 0);
 }
 
 TEST(Crew, ABulldozerOpensTheWayForAnother) {
@@ -220,8 +218,8 @@ TEST(Crew, ABulldozerOpensTheWayForAnother) {
         ......#......
         ......#......)";
     const Map map = map_from_ascii(picture);
-    Mission mission{{vehicle("dozer", {0, 0}, {0, 4}),
-                     vehicle("rover", mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'))}};
+    Mission mission{
+        {vehicle("dozer", {0, 0}, {0, 4}), vehicle("rover", mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'))}};
     mission.agents.front().own_breaches = 1;
     mission.rules.removals = 1;
     mission.rules.breach_time.per_obstacle = 7;
