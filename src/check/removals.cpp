@@ -222,7 +222,8 @@ Violations judge_breaches(const Map& map, std::span<const Breach> breaches, cons
             const std::string when = from < until ? "from " + text(from) + " to " + text(until) : "at " + text(until);
             report(Rule::breach, "the " + agent.id + " agent is not at " + text(breach.at) + " " + when +
                                      " to breach " + text(breach.obstacle));
-        } else if (!flies && !is_near(map, place_at(agent, from), breach.obstacle, terms.body.reach() + own_reach)) {
+        } else if (!flies && !is_near(map, place_at(agent, from), breach.obstacle,
+                                      terms.body.reach() + own_reach + terms.tolerance)) {
             report(Rule::boundary, text(breach.obstacle) + " is breached from " + text(place_at(agent, from)) +
                                        ", where the " + agent.id + " agent is too far from it");
         }

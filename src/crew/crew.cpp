@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "crew/tours.hpp"
 #include "crew/tuning.hpp"
 #include "model/objective.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 
 namespace waybreaker::crew {
 namespace {
@@ -164,8 +166,7 @@ class CrewPlanner {
                 for (const Agent& agent : mission_.agents) weight += agent.weight;
             }
             const int breaches = mission_.removals_allowed();
-            bound_ = std::max(*plans.front().bound - weight * breaches * (saved - taken), 0.0);
-            has_bound_ = true;
+            bound_ = std::max(*plans.front().bound - weight * breaches * (saved - taken), least_of_all());
         }
         std::vector<Tours> tours;
         for (const Plan& plan : plans) {
@@ -207,6 +208,25 @@ class CrewPlanner {
         return found;
     }
 
+    const Tour& tours_at(const Tours& tours, std::size_t agent) const {
+        return tours[std::size_t(std::ranges::find(clearing_, agent) - clearing_.begin())];
+    }
+
+    // Its drive, which begins late where it would meet others on theirs.
+    std::optional<Clearing> past(const Traffic& driving, const Agent& vehicle, const Tour& tour,
+                                 std::span<const TimedOpening> opened) {
+        Agent late = vehicle;
+        const double step = (2 * vehicle.body.reach() + mission_.rules.separation + 1) / vehicle.speed;
+        for (int tries = 0; tries <= tuning::most_delays; ++tries) {
+            std::optional<Clearing> clearing = drives_.drive(late, tour, opened);
+            const bool is_free = !clearing || tour.empty() || !mission_.rules.collisions ||
+                                 driving.met(clearing->path, vehicle.body.reach(), false).empty();
+            if (is_free) return clearing;
+            late.ready_at = vehicle.ready_at + step * double(1 << tries);
+        }
+        return std::nullopt;
+    }
+
     // The others' mission past what is cleared; empty if that cannot be.
     std::optional<Mission> beside(const Tours& tours, std::vector<Clearing>& clearings) {
         Mission others = mission_;
@@ -218,12 +238,21 @@ class CrewPlanner {
             --rules.removals;
         }
         if (rules.removals < 0 || rules.budget < 0) return std::nullopt;
+        Traffic driving(map_.width(), map_.height(), rules.separation);
+        for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
+            const Agent& agent = mission_.agents[i];
+            const bool waits = std::ranges::count(clearing_, i) > 0 && !tours_at(tours, i).empty();
+            if (agent.kind == AgentKind::ground && !agent.approach.empty() && !waits)
+                driving.add(std::uint32_t(i), agent.approach, agent.body.reach(), false);
+        }
         for (std::size_t i = 0; i < clearing_.size(); ++i) {
             const Agent& vehicle = mission_.agents[clearing_[i]];
-            std::optional<Clearing> clearing = drives_.drive(vehicle, tours[i], rules.opened);
+            std::optional<Clearing> clearing = past(driving, vehicle, tours[i], rules.opened);
             if (!clearing) return std::nullopt;
             others.agents[clearing_[i]] = under_way(vehicle, *clearing);
             if (rules.unreached && others.agents[clearing_[i]].ready_at >= *rules.unreached) return std::nullopt;
+            if (!tours[i].empty())
+                driving.add(std::uint32_t(clearing_[i]), clearing->path, vehicle.body.reach(), false);
             for (const Cleared& one : clearing->breaches) rules.opened.push_back({one.obstacle, one.cleared_at});
             clearings.push_back(std::move(*clearing));
         }
@@ -251,17 +280,45 @@ class CrewPlanner {
         return rank(mission_.rules.objective, finish).first;
     }
 
+    // The same of all plans: each vehicle crosses as much as all may remove, and waits for nothing.
+    double least_of_all() {
+        Finish finish;
+        for (const Agent& agent : mission_.agents) {
+            if (agent.kind == AgentKind::air) continue;
+            const std::vector<ObstacleId> opened = opened_by_themselves();
+            CrossingOptions options = lower_limit(agent);
+            options.crossings = mission_.removals_allowed();
+            options.removed = opened;
+            const CrossingResult found = searchers_.crossing.find(map_, agent.start, agent.goal, options);
+            double arrival = agent.ready_at + found.lower_bound / agent.speed;
+            if (mission_.rules.unreached) arrival = std::min(arrival, *mission_.rules.unreached);
+            finish.add(agent, arrival);
+        }
+        return rank(mission_.rules.objective, finish).first;
+    }
+
+    std::vector<ObstacleId> opened_by_themselves() const {
+        std::vector<ObstacleId> opened;
+        for (const TimedOpening& opening : mission_.rules.opened) opened.push_back(opening.obstacle);
+        return opened;
+    }
+
+    CrossingOptions lower_limit(const Agent& agent) const {
+        CrossingOptions options;
+        options.body = agent.body.is_point() ? point_body : agent.body;
+        options.relaxed = true;
+        options.limits = within(tuning::share_of_plan);
+        return options;
+    }
+
     // Of a vehicle's way past what is removed and what opens by itself; a lower bound where its disc is wide.
     double length(std::size_t vehicle, std::vector<ObstacleId> removed) {
-        for (const TimedOpening& opening : mission_.rules.opened) removed.push_back(opening.obstacle);
+        std::ranges::copy(opened_by_themselves(), std::back_inserter(removed));
         const auto [known, is_new] = lengths_.try_emplace(std::pair(vehicle, removed), 0.0);
         if (!is_new) return known->second;
         const Agent& agent = mission_.agents[vehicle];
-        CrossingOptions options;
-        options.body = agent.body.is_point() ? point_body : agent.body;
+        CrossingOptions options = lower_limit(agent);
         options.removed = removed;
-        options.relaxed = true;
-        options.limits = within(tuning::share_of_plan);
         const CrossingResult found = searchers_.crossing.find(map_, agent.start, agent.goal, options);
         known->second = found.status == SearchStatus::no_path ? infinity : found.lower_bound;
         return known->second;
@@ -337,10 +394,9 @@ class CrewPlanner {
         plan.bound.reset();
         plan.gap.reset();
         if (plan.status == PlanStatus::solved) {
-            if (has_bound_) {
+            if (bound_ > 0) {
                 plan.bound = std::min(bound_, best_value_);
-                if (*plan.bound > 0) plan.gap = best_value_ / *plan.bound - 1;
-                if (best_value_ <= *plan.bound) plan.gap = 0;
+                plan.gap = best_value_ / *plan.bound - 1;
             }
         } else if (relaxed_status_ == PlanStatus::no_plan) {
             plan.status = PlanStatus::no_plan;
@@ -372,7 +428,6 @@ class CrewPlanner {
     std::set<Tours> tried_;
     std::size_t plans_ = 0;
     double bound_ = 0;
-    bool has_bound_ = false;
     bool limited_ = false;
     PlanStatus relaxed_status_ = PlanStatus::not_found;
 

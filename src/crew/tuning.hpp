@@ -15,6 +15,8 @@ inline constexpr double share_of_alternatives = 0.1;
 inline constexpr std::size_t most_in_pool = 16;
 // Crossings on the ways of single vehicles that the pool is filled with.
 inline constexpr int most_crossings = 3;
+// Of a vehicle that clears, where it would meet others: ever longer ones.
+inline constexpr int most_delays = 4;
 // Plans of the others; most searches end before.
 inline constexpr std::size_t most_plans = 400;
 

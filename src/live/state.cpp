@@ -20,7 +20,14 @@ void require_obstacle(const Map& map, ObstacleId id, const char* what) {
            std::string(what) + " obstacle " + std::to_string(id.value) + ": the map has none of that id");
 }
 
-void validate(const Map& map, const Plan& plan, const AgentState& agent) {
+// Whether a breach of that obstacle had begun before the plan was made, which counts on it.
+bool had_begun(const Mission& mission, const Plan& plan, const TimedOpening& opening) {
+    const auto counted_on = std::ranges::find(mission.rules.opened, opening.obstacle, &TimedOpening::obstacle);
+    return counted_on != mission.rules.opened.end() && plan.revised && counted_on->at >= plan.revised->now &&
+           counted_on->at > 0;
+}
+
+void validate(const Map& map, const Mission& mission, const Plan& plan, const AgentState& agent) {
     const auto planned = std::ranges::find(plan.agents, agent.id, &Itinerary::id);
     if (planned == plan.agents.end())
         refuse(ErrorCode::other, agent.id, "the state names agent " + agent.id + ", which the plan does not have");
@@ -40,8 +47,10 @@ void validate(const Map& map, const Plan& plan, const AgentState& agent) {
         if (planned->kind == AgentKind::ground)
             refuse(ErrorCode::contradiction, agent.id, "agent " + agent.id + " drives, and is said to have flown");
     }
+    const auto has_begun = [&](const TimedOpening& opening) { return had_begun(mission, plan, opening); };
     const bool may_breach = planned->kind == AgentKind::air ||
-                            std::ranges::find(plan.breaches, agent.id, &Breach::by) != plan.breaches.end();
+                            std::ranges::find(plan.breaches, agent.id, &Breach::by) != plan.breaches.end() ||
+                            std::ranges::any_of(mission.rules.opened, has_begun);
     if (agent.doing == Doing::breaching && !may_breach)
         refuse(ErrorCode::contradiction, agent.id, "agent " + agent.id + " drives, and is said to breach");
 }
@@ -54,7 +63,7 @@ void validate(const Map& map, const Mission& mission, const Plan& plan, const St
     require_range(state.now, plan.revised ? plan.revised->now : 0, most_breach_time, "now");
     std::vector<std::string> named;
     for (const AgentState& agent : state.agents) {
-        validate(map, plan, agent);
+        validate(map, mission, plan, agent);
         named.push_back(agent.id);
     }
     std::ranges::sort(named);
@@ -70,13 +79,9 @@ void validate(const Map& map, const Mission& mission, const Plan& plan, const St
         require_range(failure.at, 0, state.now,
                       "the time at which the breach of obstacle " + std::to_string(failure.obstacle.value) + " failed");
         const std::string id = std::to_string(failure.obstacle.value);
-        // One that had begun before the plan was made is none of the plan, which counts on it.
-        const auto counted_on = std::ranges::find(mission.rules.opened, failure.obstacle, &TimedOpening::obstacle);
-        const bool had_begun = counted_on != mission.rules.opened.end() && plan.revised &&
-                               counted_on->at >= plan.revised->now && counted_on->at > 0;
         const bool is_planned =
             std::ranges::find(plan.breaches, failure.obstacle, &Breach::obstacle) != plan.breaches.end();
-        if (!is_planned && !had_begun)
+        if (!is_planned && !had_begun(mission, plan, failure))
             refuse(ErrorCode::contradiction, id, "the breach of obstacle " + id + " failed, and the plan has none");
         if (std::ranges::find(state.opened, failure.obstacle, &TimedOpening::obstacle) != state.opened.end())
             refuse(ErrorCode::contradiction, id, "obstacle " + id + " opened, and its breach failed");

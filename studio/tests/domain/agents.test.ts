@@ -1,10 +1,10 @@
 import { expect, it } from "vitest";
 import { agentDocuments, agentsOf } from "../../src/domain/agent_document";
-import { canOpen, drivesAlone, isPair, joined, onItsOwn, pair, usualAircraft, usualVehicle } from "../../src/domain/agents";
+import { type Aircraft, canOpen, drivesAlone, isPair, joined, onItsOwn, pair, usualAircraft, usualVehicle, type Vehicle } from "../../src/domain/agents";
 
 const robot = onItsOwn(pair([1, 2], [8, 2]), 3);
-const another = { kind: "ground", id: "2", start: [1, 5], goal: [8, 5], ...usualVehicle } as const;
-const aircraft = { kind: "air", id: "air", ...usualAircraft } as const;
+const another: Vehicle = { kind: "ground", id: "2", start: [1, 5], goal: [8, 5], ...usualVehicle };
+const aircraft: Aircraft = { kind: "air", id: "air", ...usualAircraft };
 
 it("a robot that breaches clears for a vehicle that joins it", () => {
   const crew = joined(robot, another);
