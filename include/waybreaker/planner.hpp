@@ -116,9 +116,9 @@ class Planner {
                             std::optional<double> share);
     // The same of a valid mission without zones, but for waits and orders.
     std::vector<Plan> planned(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                              std::optional<double> share);
+                              std::optional<double> share, bool goes_around_late = true);
     // Where vehicles clear for others.
-    Plan planned_crew(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
+    Plan planned_clearing(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
     // Of a valid mission without idle aircraft. Appends to `evaluated` what the plan was chosen from.
     Plan plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                      Evaluated* evaluated = nullptr);

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "clearing/clearing.hpp"
 #include "core/range.hpp"
 #include "core/stopwatch.hpp"
-#include "crew/crew.hpp"
 #include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
 #include "mission/alternatives.hpp"
@@ -40,6 +40,8 @@ namespace waybreaker {
 namespace {
 
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
+// By which other sets may be worse than the best where vehicles clear for none, to be tried where they do.
+constexpr double share_of_starts = 0.1;
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
 // Whether nobody gets in anybody's way: there is one ground agent, and aircraft count like it.
@@ -160,25 +162,31 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
 }
 
 std::vector<Plan> Planner::planned(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                                   std::optional<double> share) {
+                                   std::optional<double> share, bool goes_around_late) {
     const OpenedByThemselves opened(map, mission);
     const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
     std::optional<Evaluated> evaluated;
     if (share) evaluated = Evaluated{*share, {}};
     Evaluated* others = evaluated ? &*evaluated : nullptr;
-    Plan best = order.mission().clears()
-                    ? planned_crew(opened.map(), order.mission(), method, limits)
-                    : around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
-                          Limits left = limits;
-                          left.seconds = seconds;
-                          const bool is_again = asked.rules.opened.size() < opened.mission().rules.opened.size();
-                          if (is_again) left.progress = nullptr;
-                          const auto plan_step = [&](const Mission& step, const Method& how, const Limits& within) {
-                              return plan_active(opened.map(), step, how, within, others);
-                          };
-                          return within_range(opened.map(), asked, method, left, plan_step, others);
-                      });
+    const auto plan_within = [&](const Mission& asked, double seconds) {
+        Limits left = limits;
+        left.seconds = seconds;
+        const bool is_again = asked.rules.opened.size() < opened.mission().rules.opened.size();
+        if (is_again) left.progress = nullptr;
+        const auto plan_step = [&](const Mission& step, const Method& how, const Limits& within) {
+            return plan_active(opened.map(), step, how, within, others);
+        };
+        return within_range(opened.map(), asked, method, left, plan_step, others);
+    };
+    Plan best;
+    if (order.mission().clears()) {
+        best = planned_clearing(opened.map(), order.mission(), method, limits);
+    } else if (goes_around_late) {
+        best = around_late(opened.map(), order.mission(), limits, plan_within);
+    } else {
+        best = plan_within(order.mission(), limits.seconds);
+    }
     std::vector<Plan> plans;
     plans.push_back(std::move(best));
     if (evaluated) append_alternatives(*evaluated, mission.rules.objective, plans);
@@ -186,15 +194,18 @@ std::vector<Plan> Planner::planned(const Map& map, const Mission& mission, const
     return plans;
 }
 
-Plan Planner::planned_crew(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+Plan Planner::planned_clearing(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     const Deadline deadline(limits.seconds);
     crossing::Memory nothing;
     crossing::Access::exchange(memory_->crossing, nothing);
     const Searchers searchers{memory_->searcher, memory_->crossing};
-    const auto plan_others = [&](const Mission& others, const Method& how, const Limits& within,
-                                 std::optional<double> share) { return planned(map, others, how, within, share); };
+    const auto plan_others = [&](const Mission& others, const Method& how, const Limits& within, clearing::Care care) {
+        const bool tells_others = care == clearing::Care::with_others;
+        return planned(map, others, how, within, tells_others ? std::optional(share_of_starts) : std::nullopt,
+                       care != clearing::Care::once);
+    };
     const auto plan_all = [&](const Mission& asked, const Limits& within) {
-        crew::CrewPlan made = crew::plan_crew(map, asked, method, within, searchers, plan_others);
+        clearing::ClearingPlan made = clearing::plan_clearing(map, asked, method, within, searchers, plan_others);
         begin_on_approach(made.mission, made.plan);
         return std::move(made.plan);
     };
@@ -313,7 +324,7 @@ std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& missio
         how.explain = explained;
         Limits left = limits;
         left.seconds = std::max(deadline.left(), 1e-3);
-        if (step.clears()) return planned_crew(map, step, how, left);
+        if (step.clears()) return planned_clearing(map, step, how, left);
         const auto plan_step = [&](const Mission& asked, const Method& by, const Limits& within) {
             if (drives_alone(asked) || explained) return plan_active(map, asked, by, within);
             // Those with fewer removals are here anyway.

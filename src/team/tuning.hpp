@@ -16,7 +16,7 @@ inline constexpr double longest_hold = 1e9;
 // Ways past what opens late (vehicle.cpp). Openings up to which they are searched for in time, and expansions of such a
 // search.
 inline constexpr std::size_t most_openings_in_time = 8;
-inline constexpr std::uint64_t most_expansions_in_time = 100'000;
+inline constexpr std::uint64_t most_expansions_in_time = 20'000;
 
 // Rounds of prioritised planning (team.cpp). A round takes less than replanning does: in the first ones, that has to
 // mend one or two vehicles at most, later one in ten of all.

@@ -12,6 +12,7 @@ namespace waybreaker::team {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;
 
 double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing,
                    const Vehicle& vehicle) {
@@ -71,12 +72,12 @@ std::vector<Cell> way_in_time(const Trip& trip, std::span<const TimedOpening> op
     return way.status == SearchStatus::found ? cells_of(way.ground.path) : std::vector<Cell>();
 }
 
-// Bends where it would have to wait, and goes where it need not.
+// Bends where it would have to wait, and goes where it need not. `earliest`: when it would arrive if all were open.
 void be_punctual(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
-                 const std::vector<ObstacleId>& removed, const SafeIntervalOptions& driving, Vehicle& vehicle) {
-    const bool may_wait =
-        std::ranges::any_of(openings, [&](const TimedOpening& opening) { return opening.at > vehicle.agent.ready_at; });
-    if (!may_wait || !drives_by_crossing(vehicle.agent.body) || removed.size() > tuning::most_openings_in_time) return;
+                 const std::vector<ObstacleId>& removed, double earliest, const SafeIntervalOptions& driving,
+                 Vehicle& vehicle) {
+    const bool is_late = vehicle.alone > earliest * (1 + rounding);
+    if (!is_late || !drives_by_crossing(vehicle.agent.body) || removed.size() > tuning::most_openings_in_time) return;
     const OpenedMap opened(trip.map, removed);
     const std::vector<Cell> in_time = way_in_time(trip, openings, searchers, removed, vehicle);
     for (const std::vector<Cell>& way : {vehicle.way, in_time}) {
@@ -142,7 +143,8 @@ SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openin
     driving.openings = openings;
     vehicle.alone = safe_interval::driven(map.map(), vehicle.way, driving).back().t;
     go_around_late(trip, openings, {theta, crossing}, removed, driving, vehicle);
-    be_punctual(trip, openings, {theta, crossing}, removed, driving, vehicle);
+    const double earliest = agent.ready_at + way.ground.length.value_or(0) / agent.speed;
+    be_punctual(trip, openings, {theta, crossing}, removed, earliest, driving, vehicle);
     const double least =
         std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;

@@ -117,7 +117,7 @@ inline Underway any_own_way(int side, int most_retries) {
 }
 
 // Of a vehicle that clears for up to two others, perhaps beside an aircraft; before it begins.
-inline Underway any_crew(int side, int most_retries) {
+inline Underway any_clearing(int side, int most_retries) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, 3, most_retries)};
     drawn.mission.agents.front().own_breaches = *number(1, 3);

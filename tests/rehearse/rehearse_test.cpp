@@ -102,12 +102,12 @@ RC_GTEST_PROP(Rehearse, NoRunOfAnAgentThatOpensItsOwnWayIsIllegal, ()) {
     expect_legal(any_own_way(14, 2));
 }
 
-RC_GTEST_PROP(Rehearse, NoRunOfACrewIsIllegal, ()) {
-    expect_legal(any_crew(12, 1));
+RC_GTEST_PROP(Rehearse, NoRunOfAVehicleThatClearsIsIllegal, ()) {
+    expect_legal(any_clearing(12, 1));
 }
 
-RC_GTEST_PROP(Rehearse, OfACrewIsNoLaterThanPlannedWithoutDraws, ()) {
-    const Rehearsable drawn = any_crew(12, 1);
+RC_GTEST_PROP(Rehearse, OfAVehicleThatClearsIsNoLaterThanPlannedWithoutDraws, ()) {
+    const Rehearsable drawn = any_clearing(12, 1);
     const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
     RC_ASSERT(faults(rehearsal) == "");
     RC_ASSERT(rehearsal.arrived == 1);

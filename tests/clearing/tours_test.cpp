@@ -1,5 +1,5 @@
 // The tours that are tried.
-#include "crew/tours.hpp"
+#include "clearing/tours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 namespace {
 
 constexpr ObstacleId a{1};
@@ -42,4 +42,4 @@ TEST(Tours, ChangeOneThing) {
 }
 
 }  // namespace
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

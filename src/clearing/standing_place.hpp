@@ -6,7 +6,7 @@
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 
 // How far the disc may be from what it breaches, in cells.
 inline constexpr double reach = 1;
@@ -17,4 +17,4 @@ inline constexpr double reach = 1;
 std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle,
                                    std::optional<Point> next);
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

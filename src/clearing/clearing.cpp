@@ -1,48 +1,34 @@
-#include "crew/crew.hpp"
+#include "clearing/clearing.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <map>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "clearing/least_arrivals.hpp"
+#include "clearing/relaxed_mission.hpp"
+#include "clearing/tours.hpp"
+#include "clearing/tuning.hpp"
 #include "core/stopwatch.hpp"
-#include "crew/standing_place.hpp"
-#include "crew/tours.hpp"
-#include "crew/tuning.hpp"
 #include "model/objective.hpp"
 #include "waybreaker/advanced/safe_interval.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;
-
-// The longest way from a place at which a vehicle breaches an obstacle to a cell of the obstacle's boundary: to the
-// obstacle, and from there to the middle of the cell beside it.
-double to_boundary(const Agent& vehicle) {
-    return vehicle.body.reach() + reach + std::numbers::sqrt2 / 2;
-}
-
-// No agent of a mission has a line break in its id.
-std::string breacher_for(const Agent& vehicle) {
-    return "\n" + vehicle.id;
-}
 
 double reached_by(const Mission& mission, const Plan& plan) {
     if (plan.status != PlanStatus::solved) return infinity;
     return value(plan.after, mission.rules.objective).value_or(infinity);
 }
 
-class CrewPlanner {
+class ClearingPlanner {
   public:
-    CrewPlanner(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                const Searchers& searchers, const Planned& planned)
+    ClearingPlanner(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                    const Searchers& searchers, const Planned& planned)
         : map_(map),
           mission_(mission),
           plain_(method),
@@ -50,7 +36,8 @@ class CrewPlanner {
           searchers_(searchers),
           planned_(planned),
           deadline_(limits.seconds),
-          drives_(map, mission.rules, method, deadline_, searchers) {
+          drives_(map, mission.rules, method, deadline_, searchers),
+          least_(map, mission, limits_, deadline_, searchers) {
         plain_.explain = plain_.bound = false;
         for (std::size_t i = 0; i < mission.agents.size(); ++i) {
             const Agent& agent = mission.agents[i];
@@ -60,17 +47,19 @@ class CrewPlanner {
         for (const std::size_t i : clearing_) capacities_.push_back(mission.agents[i].own_breaches);
     }
 
-    CrewPlan planned() {
+    ClearingPlan planned() {
         const Stopwatch total;
         best_tours_.resize(clearing_.size());
-        evaluate(best_tours_);
+        if (std::optional<Trial> without = trial_of(best_tours_)) evaluate(std::move(*without));
+        if (plans_ == 0) best_ = without_what_is_forced();
         before_ = best_.plan.before;
         std::vector<Tours> starts = relaxed_tours();
         if (relaxed_status_ != PlanStatus::no_plan) {
             for (Tours& tours : own_ways()) starts.push_back(std::move(tours));
-            for (const Tours& tours : starts) consider(tours);
+            for (Tours& tours : starts) consider(std::move(tours));
             fill_pool();
             improve();
+            finish();
         }
         return result(total);
     }
@@ -135,39 +124,16 @@ class CrewPlanner {
 
     // Bounds the objective, and says which tours to begin with.
     std::vector<Tours> relaxed_tours() {
-        Mission relaxed = mission_;
-        double saved = 0;  // by an aircraft that is nearer, on each breach
-        for (const std::size_t i : clearing_) {
-            const Agent& vehicle = mission_.agents[i];
-            relaxed.agents[i].own_breaches = 0;
-            Agent breacher = aircraft(breacher_for(vehicle), vehicle.start, vehicle.goal);
-            breacher.speed = vehicle.speed;
-            breacher.ready_at = vehicle.ready_at;
-            breacher.weight = 0;
-            breacher.breaches = vehicle.own_breaches;
-            relaxed.agents.push_back(std::move(breacher));
-            saved = std::max(saved, 2 * to_boundary(vehicle) / vehicle.speed);
-        }
-        // It is taken from the time of a breach, as far as that goes.
-        double& of_breach = relaxed.rules.breach_time.per_obstacle;
-        const double taken = std::min(of_breach, saved);
-        of_breach -= taken;
+        const RelaxedMission easier = relaxed(mission_);
         Method method = plain_;
         method.flight = FlightRule::optimal;
         method.bound = true;
-        const std::vector<Plan> plans =
-            planned_(relaxed, method, within(tuning::share_of_relaxation), tuning::share_of_alternatives);
+        Limits limits = within(tuning::share_of_relaxation);
+        limits.gap = std::max(limits.gap, tuning::gap_of_relaxation);
+        const std::vector<Plan> plans = planned_(easier.mission, method, limits, Care::with_others);
         relaxed_status_ = plans.front().status;
         limited_ = limited_ || plans.front().limit_reached;
-        if (plans.front().bound) {
-            double weight = 1;
-            if (mission_.rules.objective == Objective::flowtime) {
-                weight = 0;
-                for (const Agent& agent : mission_.agents) weight += agent.weight;
-            }
-            const int breaches = mission_.removals_allowed();
-            bound_ = std::max(*plans.front().bound - weight * breaches * (saved - taken), least_of_all());
-        }
+        if (plans.front().bound) bound_ = std::max(*plans.front().bound - easier.allowance, least_.of_any());
         std::vector<Tours> tours;
         for (const Plan& plan : plans) {
             if (plan.status != PlanStatus::solved) continue;
@@ -188,7 +154,7 @@ class CrewPlanner {
             alone.agents.front().weight = 1;
             Method method = plain_;
             method.bound = true;
-            const Plan plan = planned_(alone, method, within(tuning::share_of_plan), std::nullopt).front();
+            const Plan plan = planned_(alone, method, within(tuning::share_of_plan), Care::once).front();
             if (plan.status != PlanStatus::solved) continue;
             // Nobody else opens anything for it.
             const bool is_only_one = clearing_.size() == 1 && !flies_;
@@ -213,12 +179,12 @@ class CrewPlanner {
     }
 
     // Its drive, which begins late where it would meet others on theirs.
-    std::optional<Clearing> past(const Traffic& driving, const Agent& vehicle, const Tour& tour,
-                                 std::span<const TimedOpening> opened) {
+    std::optional<ClearingDrive> past(const Traffic& driving, const Agent& vehicle, const Tour& tour,
+                                      std::span<const TimedOpening> opened) {
         Agent late = vehicle;
         const double step = (2 * vehicle.body.reach() + mission_.rules.separation + 1) / vehicle.speed;
         for (int tries = 0; tries <= tuning::most_delays; ++tries) {
-            std::optional<Clearing> clearing = drives_.drive(late, tour, opened);
+            std::optional<ClearingDrive> clearing = drives_.drive(late, tour, opened);
             const bool is_free = !clearing || tour.empty() || !mission_.rules.collisions ||
                                  driving.met(clearing->path, vehicle.body.reach(), false).empty();
             if (is_free) return clearing;
@@ -228,16 +194,11 @@ class CrewPlanner {
     }
 
     // The others' mission past what is cleared; empty if that cannot be.
-    std::optional<Mission> beside(const Tours& tours, std::vector<Clearing>& clearings) {
-        Mission others = mission_;
+    std::optional<Mission> beside(const Tours& tours, std::vector<ClearingDrive>& clearings) {
+        std::optional<Rules> left = rules_beside(map_, mission_, tours);
+        if (!left) return std::nullopt;
+        Mission others{mission_.agents, std::move(*left)};
         Rules& rules = others.rules;
-        for (const ObstacleId id : obstacles_of(tours)) {
-            if (!may_clear(id)) return std::nullopt;
-            rules.budget -= map_.obstacle(id).weight;
-            std::erase(rules.force, id);
-            --rules.removals;
-        }
-        if (rules.removals < 0 || rules.budget < 0) return std::nullopt;
         Traffic driving(map_.width(), map_.height(), rules.separation);
         for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
             const Agent& agent = mission_.agents[i];
@@ -247,7 +208,7 @@ class CrewPlanner {
         }
         for (std::size_t i = 0; i < clearing_.size(); ++i) {
             const Agent& vehicle = mission_.agents[clearing_[i]];
-            std::optional<Clearing> clearing = past(driving, vehicle, tours[i], rules.opened);
+            std::optional<ClearingDrive> clearing = past(driving, vehicle, tours[i], rules.opened);
             if (!clearing) return std::nullopt;
             others.agents[clearing_[i]] = under_way(vehicle, *clearing);
             if (rules.unreached && others.agents[clearing_[i]].ready_at >= *rules.unreached) return std::nullopt;
@@ -256,119 +217,106 @@ class CrewPlanner {
             for (const Cleared& one : clearing->breaches) rules.opened.push_back({one.obstacle, one.cleared_at});
             clearings.push_back(std::move(*clearing));
         }
-        const bool may_force = flies_ || rules.force.empty();
-        return may_force ? std::optional(std::move(others)) : std::nullopt;
+        return others;
     }
 
-    // No plan with these tours is below that; 0 where aircraft may open more.
-    double least(const Tours& tours) {
-        if (flies_) return 0;
-        const std::vector<ObstacleId> removed = obstacles_of(tours);
-        Finish finish;
-        for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
-            const Agent& agent = mission_.agents[i];
-            if (agent.kind == AgentKind::air) continue;
-            double arrival = agent.ready_at + length(i, removed) / agent.speed;
-            const auto place = std::ranges::find(clearing_, i);
-            if (place != clearing_.end()) {
-                for (const Stop& stop : tours[std::size_t(place - clearing_.begin())])
-                    arrival += mission_.rules.breach_time.of(map_.obstacle(stop.obstacle));
-            }
-            if (mission_.rules.unreached) arrival = std::min(arrival, *mission_.rules.unreached);
-            finish.add(agent, arrival);
+    // Tours, what vehicles do by them, and what others still can.
+    struct Trial {
+        Tours tours;
+        Mission others;
+        std::vector<ClearingDrive> clearings;
+        double least = 0;  // no plan with these tours is below that; 0 where aircraft may open more
+    };
+
+    // Empty where the tours cannot be driven, or were tried.
+    std::optional<Trial> trial_of(Tours tours) {
+        if (tried_.contains(tours)) return std::nullopt;
+        Trial trial{std::move(tours), {}, {}};
+        std::optional<Mission> others = beside(trial.tours, trial.clearings);
+        if (!others) {
+            tried_.insert(std::move(trial.tours));
+            return std::nullopt;
         }
-        return rank(mission_.rules.objective, finish).first;
-    }
-
-    // The same of all plans: each vehicle crosses as much as all may remove, and waits for nothing.
-    double least_of_all() {
-        Finish finish;
-        for (const Agent& agent : mission_.agents) {
-            if (agent.kind == AgentKind::air) continue;
-            const std::vector<ObstacleId> opened = opened_by_themselves();
-            CrossingOptions options = lower_limit(agent);
-            options.crossings = mission_.removals_allowed();
-            options.removed = opened;
-            const CrossingResult found = searchers_.crossing.find(map_, agent.start, agent.goal, options);
-            double arrival = agent.ready_at + found.lower_bound / agent.speed;
-            if (mission_.rules.unreached) arrival = std::min(arrival, *mission_.rules.unreached);
-            finish.add(agent, arrival);
+        trial.others = std::move(*others);
+        if (flies_) return trial;
+        std::vector<TimedOpening> removed;
+        for (const ClearingDrive& clearing : trial.clearings) {
+            for (const Cleared& one : clearing.breaches) removed.push_back({one.obstacle, one.cleared_at});
         }
-        return rank(mission_.rules.objective, finish).first;
+        trial.least = least_.of(removed, trial.others.agents);
+        return trial;
     }
 
-    std::vector<ObstacleId> opened_by_themselves() const {
-        std::vector<ObstacleId> opened;
-        for (const TimedOpening& opening : mission_.rules.opened) opened.push_back(opening.obstacle);
-        return opened;
+    bool may_gain(const std::optional<Trial>& trial) const {
+        return trial && trial->least < best_value_ * (1 - rounding);
     }
 
-    CrossingOptions lower_limit(const Agent& agent) const {
-        CrossingOptions options;
-        options.body = agent.body.is_point() ? point_body : agent.body;
-        options.relaxed = true;
-        options.limits = within(tuning::share_of_plan);
-        return options;
-    }
-
-    // Of a vehicle's way past what is removed and what opens by itself; a lower bound where its disc is wide.
-    double length(std::size_t vehicle, std::vector<ObstacleId> removed) {
-        std::ranges::copy(opened_by_themselves(), std::back_inserter(removed));
-        const auto [known, is_new] = lengths_.try_emplace(std::pair(vehicle, removed), 0.0);
-        if (!is_new) return known->second;
-        const Agent& agent = mission_.agents[vehicle];
-        CrossingOptions options = lower_limit(agent);
-        options.removed = removed;
-        const CrossingResult found = searchers_.crossing.find(map_, agent.start, agent.goal, options);
-        known->second = found.status == SearchStatus::no_path ? infinity : found.lower_bound;
-        return known->second;
-    }
-
-    void evaluate(const Tours& tours) {
-        if (!tried_.insert(tours).second) return;
-        std::vector<Clearing> clearings;
-        std::optional<Mission> others = beside(tours, clearings);
-        if (!others) return;
-        ++plans_;
-        const bool is_first = plans_ == 1;
-        Plan plan = planned_(*others, plain_, within(tuning::share_of_plan), std::nullopt).front();
+    void evaluate(Trial trial) {
+        if (!tried_.insert(trial.tours).second) return;
+        const bool is_first = plans_++ == 0 && best_.mission.agents.empty();
+        Plan plan = planned_(trial.others, plain_, within(tuning::share_of_plan), Care::once).front();
         limited_ = limited_ || plan.limit_reached;
         const double reached = reached_by(mission_, plan);
         if (!is_first && !(reached < best_value_ * (1 - rounding))) return;
         best_value_ = reached;
-        best_tours_ = tours;
-        clearings_ = std::move(clearings);
-        best_ = {std::move(plan), std::move(*others)};
+        best_tours_ = std::move(trial.tours);
+        clearings_ = std::move(trial.clearings);
+        best_ = {std::move(plan), std::move(trial.others)};
         if (limits_.progress && std::isfinite(reached)) limits_.progress({reached, bound_});
     }
 
-    void consider(const Tours& tours) {
-        if (!is_over() && least(tours) < best_value_ * (1 - rounding)) evaluate(tours);
+    void consider(Tours tours) {
+        if (is_over()) return;
+        std::optional<Trial> trial = trial_of(std::move(tours));
+        if (may_gain(trial)) evaluate(std::move(*trial));
     }
 
     // One change at a time, the most promising first, until none is better.
     void improve() {
         for (bool improved = true; improved && !is_over();) {
             improved = false;
-            std::vector<std::pair<double, Tours>> next;
+            std::vector<Trial> next;
             for (Tours& tours : neighbours(best_tours_, pool_, capacities_, mission_.rules.removals)) {
-                if (tried_.contains(tours)) continue;
                 if (is_over()) return;
-                const double bound = least(tours);
-                if (bound < best_value_ * (1 - rounding)) next.emplace_back(bound, std::move(tours));
+                std::optional<Trial> trial = trial_of(std::move(tours));
+                if (may_gain(trial)) next.push_back(std::move(*trial));
             }
-            std::ranges::stable_sort(next, {}, [](const auto& one) { return one.first; });
+            std::ranges::stable_sort(next, {}, &Trial::least);
             const double before = best_value_;
-            for (const auto& [bound, tours] : next) {
+            for (Trial& trial : next) {
                 if (is_over()) return;
-                evaluate(tours);
+                evaluate(std::move(trial));
                 improved = best_value_ < before;
                 if (improved) break;
             }
         }
     }
 
-    CrewPlan result(const Stopwatch& total) {
+    // No plan, but what it would be without removals.
+    ClearingPlan without_what_is_forced() {
+        Mission none = mission_;
+        for (Agent& agent : none.agents) agent.own_breaches = 0;
+        none.rules.force.clear();
+        none.rules.removals = 0;
+        Plan plan = planned_(none, plain_, within(tuning::share_of_plan), Care::once).front();
+        plan.status = PlanStatus::no_plan;
+        plan.agents.clear();
+        plan.after.makespan = plan.after.flowtime = plan.after.ground_makespan = std::nullopt;
+        return {std::move(plan), std::move(none)};
+    }
+
+    // The others once more, each around what opens late for it.
+    void finish() {
+        if (best_.mission.rules.opened.empty() || is_over()) return;
+        Plan plan = planned_(best_.mission, plain_, within(1), Care::around_late).front();
+        limited_ = limited_ || plan.limit_reached;
+        const double reached = reached_by(mission_, plan);
+        if (!(reached < best_value_ * (1 - rounding))) return;
+        best_value_ = reached;
+        best_.plan = std::move(plan);
+    }
+
+    ClearingPlan result(const Stopwatch& total) {
         Plan& plan = best_.plan;
         for (Breach& breach : plan.breaches) {
             if (!breach.by.empty()) continue;
@@ -418,13 +366,13 @@ class CrewPlanner {
     const Planned& planned_;
     Deadline deadline_;
     ClearingDrives drives_;
+    LeastArrivals least_;
 
     std::vector<std::size_t> clearing_;  // the vehicles that clear, as places in the mission
     std::vector<int> capacities_;
     bool flies_ = false;  // an aircraft that may breach
 
     std::vector<ObstacleId> pool_;
-    std::map<std::pair<std::size_t, std::vector<ObstacleId>>, double> lengths_;
     std::set<Tours> tried_;
     std::size_t plans_ = 0;
     double bound_ = 0;
@@ -434,15 +382,15 @@ class CrewPlanner {
     Outcome before_;
     double best_value_ = infinity;
     Tours best_tours_;
-    std::vector<Clearing> clearings_;
-    CrewPlan best_;
+    std::vector<ClearingDrive> clearings_;
+    ClearingPlan best_;
 };
 
 }  // namespace
 
-CrewPlan plan_crew(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                   const Searchers& searchers, const Planned& planned) {
-    return CrewPlanner(map, mission, method, limits, searchers, planned).planned();
+ClearingPlan plan_clearing(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                           const Searchers& searchers, const Planned& planned) {
+    return ClearingPlanner(map, mission, method, limits, searchers, planned).planned();
 }
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

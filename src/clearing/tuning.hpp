@@ -3,14 +3,14 @@
 
 #include <cstddef>
 
-namespace waybreaker::crew::tuning {
+namespace waybreaker::clearing::tuning {
 
 // Share of the time for the relaxed mission, which says what is worth to be breached.
 inline constexpr double share_of_relaxation = 0.3;
+// The same is good enough then: what a vehicle drives longer than an aircraft flies is more.
+inline constexpr double gap_of_relaxation = 0.02;
 // Share of the time that is left, for each single plan of the others past a clearing.
 inline constexpr double share_of_plan = 0.25;
-// Relative: the relaxed mission's other sets are tried as well if they are worse than its best by up to so much.
-inline constexpr double share_of_alternatives = 0.1;
 // Obstacles that tours are made of.
 inline constexpr std::size_t most_in_pool = 16;
 // Crossings on the ways of single vehicles that the pool is filled with.
@@ -20,4 +20,4 @@ inline constexpr int most_delays = 4;
 // Plans of the others; most searches end before.
 inline constexpr std::size_t most_plans = 400;
 
-}  // namespace waybreaker::crew::tuning
+}  // namespace waybreaker::clearing::tuning

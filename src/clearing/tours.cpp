@@ -1,10 +1,11 @@
-#include "crew/tours.hpp"
+#include "clearing/tours.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 
 std::vector<ObstacleId> obstacles_of(const Tours& tours) {
     std::vector<ObstacleId> all;
@@ -13,6 +14,22 @@ std::vector<ObstacleId> obstacles_of(const Tours& tours) {
     }
     std::ranges::sort(all);
     return all;
+}
+
+std::optional<Rules> rules_beside(const Map& map, const Mission& mission, const Tours& tours) {
+    Rules rules = mission.rules;
+    for (const ObstacleId id : obstacles_of(tours)) {
+        rules.budget -= map.obstacle(id).weight;
+        std::erase(rules.force, id);
+        --rules.removals;
+    }
+    std::int64_t capacity = 0;  // of aircraft
+    for (const Agent& agent : mission.agents) capacity += agent.kind == AgentKind::air ? agent.breaches : 0;
+    double budget = rules.budget;
+    for (const ObstacleId id : rules.force) budget -= map.obstacle(id).weight;
+    const bool may = rules.removals >= 0 && budget >= 0 &&
+                     std::min<std::int64_t>(capacity, rules.removals) >= std::ssize(rules.force);
+    return may ? std::optional(std::move(rules)) : std::nullopt;
 }
 
 std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> pool, std::span<const int> capacities,
@@ -58,4 +75,4 @@ std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> po
     return found;
 }
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

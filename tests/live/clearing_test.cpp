@@ -12,8 +12,8 @@
 namespace waybreaker {
 namespace {
 
-Underway any_crew_underway() {
-    Underway drawn = any_crew(12, 1);
+Underway any_clearing_underway() {
+    Underway drawn = any_clearing(12, 1);
     double last = 0;
     for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
     drawn.state.sequence = 1;
@@ -21,8 +21,8 @@ Underway any_crew_underway() {
     return drawn;
 }
 
-RC_GTEST_PROP(ReviseCrew, WithoutNewsIsNoLater, ()) {
-    const Underway old = any_crew_underway();
+RC_GTEST_PROP(ReviseClearing, WithoutNewsIsNoLater, ()) {
+    const Underway old = any_clearing_underway();
     Planner planner;
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
     RC_CLASSIFY(next.status == RevisionStatus::kept);
@@ -36,8 +36,8 @@ RC_GTEST_PROP(ReviseCrew, WithoutNewsIsNoLater, ()) {
               reached <= std::max(value(old.plan.after, objective).value(), least) * (1 + 1e-9));
 }
 
-RC_GTEST_PROP(ReviseCrew, AfterAFailedBreachTheRestIsValid, ()) {
-    Underway old = any_crew_underway();
+RC_GTEST_PROP(ReviseClearing, AfterAFailedBreachTheRestIsValid, ()) {
+    Underway old = any_clearing_underway();
     RC_PRE(!old.plan.breaches.empty());
     const Breach failed = old.plan.breaches[std::size_t(*number(0, int(old.plan.breaches.size()) - 1))];
     old.state.now = failed.cleared_at;
@@ -49,8 +49,8 @@ RC_GTEST_PROP(ReviseCrew, AfterAFailedBreachTheRestIsValid, ()) {
     RC_ASSERT(revision_faults(old, next) == "");
 }
 
-RC_GTEST_PROP(ReviseCrew, AfterAnyNewsTheRestIsValid, ()) {
-    expect_valid_after_any_news(any_crew_underway());
+RC_GTEST_PROP(ReviseClearing, AfterAnyNewsTheRestIsValid, ()) {
+    expect_valid_after_any_news(any_clearing_underway());
 }
 
 }  // namespace

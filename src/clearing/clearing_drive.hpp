@@ -12,7 +12,7 @@
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 
 // Where a vehicle stands: where it gets to soonest, or where it loses the least on its way to what comes next.
 enum class Place { soonest, onward };
@@ -33,13 +33,13 @@ struct Cleared {
     double cleared_at = 0;
 };
 
-struct Clearing {
+struct ClearingDrive {
     std::vector<Waypoint> path;  // from the vehicle's beginning until its last breach is over
     std::vector<Cleared> breaches;
 };
 
 // The vehicle as others see it that breaches no more: on that drive, then on its way to its goal.
-Agent under_way(const Agent& vehicle, const Clearing& clearing);
+Agent under_way(const Agent& vehicle, const ClearingDrive& clearing);
 
 class ClearingDrives {
   public:
@@ -50,7 +50,7 @@ class ClearingDrives {
 
     // To each obstacle of the tour by the shortest way past what is open when it sets out: what it has breached, and
     // `opened`. Empty where it gets to one by no way.
-    std::optional<Clearing> drive(const Agent& vehicle, const Tour& tour, std::span<const TimedOpening> opened);
+    std::optional<ClearingDrive> drive(const Agent& vehicle, const Tour& tour, std::span<const TimedOpening> opened);
 
   private:
     struct Leg {
@@ -70,4 +70,4 @@ class ClearingDrives {
     std::map<Key, Leg> legs_;
 };
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

@@ -1,12 +1,13 @@
 // The tours that are tried: those one change away from others.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "crew/clearing.hpp"
+#include "clearing/clearing_drive.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 
 // One for each vehicle that clears; none has what another has.
 using Tours = std::vector<Tour>;
@@ -16,7 +17,11 @@ using Tours = std::vector<Tour>;
 std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> pool, std::span<const int> capacities,
                               int most);
 
+// The rules for all others where vehicles breach these; empty where they may not, or what must be removed is left to
+// nobody.
+std::optional<Rules> rules_beside(const Map& map, const Mission& mission, const Tours& tours);
+
 // All that are breached, in id order.
 std::vector<ObstacleId> obstacles_of(const Tours& tours);
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

@@ -1,11 +1,11 @@
-#include "crew/clearing.hpp"
+#include "clearing/clearing_drive.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "crew/standing_place.hpp"
+#include "clearing/standing_place.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 namespace {
 
 Point middle_of(const Box& box) {
@@ -14,7 +14,7 @@ Point middle_of(const Box& box) {
 
 }  // namespace
 
-Agent under_way(const Agent& vehicle, const Clearing& clearing) {
+Agent under_way(const Agent& vehicle, const ClearingDrive& clearing) {
     Agent agent = vehicle;
     agent.own_breaches = 0;
     if (clearing.breaches.empty()) return agent;
@@ -41,9 +41,9 @@ const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, 
     return known->second;
 }
 
-std::optional<Clearing> ClearingDrives::drive(const Agent& vehicle, const Tour& tour,
-                                              std::span<const TimedOpening> opened) {
-    Clearing clearing;
+std::optional<ClearingDrive> ClearingDrives::drive(const Agent& vehicle, const Tour& tour,
+                                                   std::span<const TimedOpening> opened) {
+    ClearingDrive clearing;
     if (tour.empty()) return clearing;
     const auto add = [&](Point at, double time) {
         const Waypoint point{at.x, at.y, time};
@@ -81,4 +81,4 @@ std::optional<Clearing> ClearingDrives::drive(const Agent& vehicle, const Tour& 
     return clearing;
 }
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing

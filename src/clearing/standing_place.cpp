@@ -1,4 +1,4 @@
-#include "crew/standing_place.hpp"
+#include "clearing/standing_place.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "map/line_of_sight.hpp"
 
-namespace waybreaker::crew {
+namespace waybreaker::clearing {
 namespace {
 
 double to_box(Point p, const Box& box) {
@@ -79,4 +79,4 @@ std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell 
     return best;
 }
 
-}  // namespace waybreaker::crew
+}  // namespace waybreaker::clearing
