@@ -65,8 +65,10 @@ class ClearingPlanner {
     }
 
   private:
+    std::size_t most_plans() const { return flies_ ? tuning::most_plans_with_aircraft : tuning::most_plans; }
+
     bool is_over() const {
-        return deadline_.passed() || limits_.stop.stop_requested() || plans_ >= tuning::most_plans ||
+        return deadline_.passed() || limits_.stop.stop_requested() || plans_ >= most_plans() ||
                best_value_ * (1 - rounding) <= bound_ * (1 + limits_.gap);
     }
 
@@ -152,15 +154,14 @@ class ClearingPlanner {
             alone.rules.force.clear();
             alone.rules.unreached.reset();
             alone.agents.front().weight = 1;
+            // Nobody else opens anything for it, and the last arrival counts.
+            const bool bounds = clearing_.size() == 1 && !flies_ && !mission_.rules.unreached &&
+                                mission_.rules.objective != Objective::flowtime;
             Method method = plain_;
-            method.bound = true;
+            method.bound = bounds;
             const Plan plan = planned_(alone, method, within(tuning::share_of_plan), Care::once).front();
             if (plan.status != PlanStatus::solved) continue;
-            // Nobody else opens anything for it.
-            const bool is_only_one = clearing_.size() == 1 && !flies_;
-            if (is_only_one && plan.bound && !mission_.rules.unreached &&
-                mission_.rules.objective != Objective::flowtime)
-                bound_ = std::max(bound_, *plan.bound);
+            if (bounds && plan.bound) bound_ = std::max(bound_, *plan.bound);
             add_to_pool(plan);
             Tours tours(clearing_.size());
             for (const Breach& breach : plan.breaches) {
