@@ -15,13 +15,14 @@ import type { Cell } from "../domain/geometry";
 
 const share = 0.05; // of the map's longer side: as far apart markers can be told from each other
 
-// As the last vehicle; null where there is no room.
+// As the last vehicle, but that it clears nothing; null where there is no room.
 export function oneVehicleMore(agents: Agents, cells: CellMap, separation: number): Vehicle | null {
   const vehicles = vehiclesOf(agents);
   const last = vehicles.at(-1)!;
   const place = (end: End) => freeNear(cells, last, last[end], vehicles.map((one) => discAt(one, end)), separation);
   const [start, goal] = [place("start"), place("goal")];
-  return start && goal && { ...last, id: freshId(agents, "ground"), readyAt: usualVehicle.readyAt, start, goal };
+  const { readyAt, breaches } = usualVehicle;
+  return start && goal && { ...last, id: freshId(agents, "ground"), readyAt, breaches, start, goal };
 }
 
 // From and to where the first vehicle is, as fast as the last one, and with such a battery.
