@@ -135,7 +135,8 @@ class ClearingPlanner {
         const std::vector<Plan> plans = planned_(easier.mission, method, limits, Care::with_others);
         relaxed_status_ = plans.front().status;
         limited_ = limited_ || plans.front().limit_reached;
-        if (plans.front().bound) bound_ = std::max(*plans.front().bound - easier.allowance, least_.of_any());
+        if (const std::optional<double> bound = plans.front().bound)
+            bound_ = std::max(*bound - easier.allowance, least_.of_any());
         std::vector<Tours> tours;
         for (const Plan& plan : plans) {
             if (plan.status != PlanStatus::solved) continue;
@@ -248,9 +249,7 @@ class ClearingPlanner {
         return trial;
     }
 
-    bool may_gain(const std::optional<Trial>& trial) const {
-        return trial && trial->least < best_value_ * (1 - rounding);
-    }
+    bool may_gain(const Trial& trial) const { return trial.least < best_value_ * (1 - rounding); }
 
     void evaluate(Trial trial) {
         if (!tried_.insert(trial.tours).second) return;
@@ -269,7 +268,7 @@ class ClearingPlanner {
     void consider(Tours tours) {
         if (is_over()) return;
         std::optional<Trial> trial = trial_of(std::move(tours));
-        if (may_gain(trial)) evaluate(std::move(*trial));
+        if (trial && may_gain(*trial)) evaluate(std::move(*trial));
     }
 
     // One change at a time, the most promising first, until none is better.
@@ -280,7 +279,7 @@ class ClearingPlanner {
             for (Tours& tours : neighbours(best_tours_, pool_, capacities_, mission_.rules.removals)) {
                 if (is_over()) return;
                 std::optional<Trial> trial = trial_of(std::move(tours));
-                if (may_gain(trial)) next.push_back(std::move(*trial));
+                if (trial && may_gain(*trial)) next.push_back(std::move(*trial));
             }
             std::ranges::stable_sort(next, {}, &Trial::least);
             const double before = best_value_;

@@ -1,11 +1,12 @@
 #include "clearing/standing_place.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <compare>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <queue>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -14,10 +15,23 @@
 namespace waybreaker::clearing {
 namespace {
 
+// Of A*: the least that a drive over that cell to the obstacle can be, and what is driven. Equal ones by cell.
+struct Node {
+    double least = 0;
+    double driven = 0;
+    Cell at;
+    friend auto operator<=>(const Node&, const Node&) = default;
+};
+
 double to_box(Point p, const Box& box) {
     const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
     const double dy = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
     return std::hypot(dx, dy);
+}
+
+// The box of an obstacle, larger by so much on each side, holds all places to breach it from.
+double margin_of_places(const Body& body) {
+    return body.reach() + reach + 1;
 }
 
 // Whether a cell of the obstacle is at most so far from the centre of a cell.
@@ -34,49 +48,66 @@ bool is_near(const Map& map, Cell at, ObstacleId obstacle, double most) {
     return false;
 }
 
-}  // namespace
+// From where on the way is shortest on the whole, and how long it is; infinity where there is no such place.
+struct Standing {
+    Cell at;
+    double whole = std::numeric_limits<double>::infinity();
+};
 
-std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle,
-                                   std::optional<Point> next) {
+// `way_on`: from a place on, never less than `least_on`.
+template <class WayOn>
+Standing nearest(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle, WayOn way_on,
+                 double least_on) {
     const LineOfSight sight(map, body);
     const Box& box = map.map().obstacle(obstacle).bounds;
     const double most = body.reach() + reach;
-    const double grown = most + 1;  // the box of the obstacle by so much holds all places
-    const auto to_places = [&](Cell c) { return std::max(to_box(c, box) - grown, 0.0); };
-    const double least_on = next ? std::max(to_box(*next, box) - grown, 0.0) : 0;  // from any place to the next one
+    const auto to_places = [&](Cell c) { return std::max(to_box(c, box) - margin_of_places(body), 0.0); };
     const auto index = [&](Cell c) { return std::size_t(c.y) * std::size_t(map.width()) + std::size_t(c.x); };
-    // A*: the least that a drive over a cell to the obstacle can be, then what is driven. Equal ones in scan order.
-    using Entry = std::tuple<double, double, std::size_t, Cell>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
     std::unordered_map<std::size_t, double> driven;
     const auto reached = [&](Cell c, double length) {
         const auto [known, is_new] = driven.try_emplace(index(c), length);
         if (!is_new && known->second <= length) return;
         known->second = length;
-        open.emplace(length + to_places(c), length, index(c), c);
+        open.push({length + to_places(c), length, c});
     };
     reached(from, 0);
-    std::optional<Cell> best;
-    double shortest = std::numeric_limits<double>::infinity();
+    Standing best;
     while (!open.empty()) {
-        const auto [least, length, at, cell] = open.top();
+        const Node node = open.top();
+        const Cell cell = node.at;
         open.pop();
-        if (least + least_on >= shortest) break;
-        if (length > driven.at(at)) continue;
-        const double whole = length + (next ? distance(Point(cell), *next) : 0);
-        if (whole < shortest && to_box(cell, box) <= grown && is_near(map.map(), cell, obstacle, most)) {
-            best = cell;
-            shortest = whole;
-        }
+        if (node.least + least_on >= best.whole) break;
+        if (node.driven > driven.at(index(cell))) continue;
+        const double whole = node.driven + way_on(cell);
+        const bool is_place = to_places(cell) == 0 && is_near(map.map(), cell, obstacle, most);
+        if (is_place && whole < best.whole) best = {cell, whole};
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
                 const Cell to{cell.x + dx, cell.y + dy};
                 if (to == cell || !map.map().grid().contains(to) || !sight.fits(to) || !sight.clear(cell, to)) continue;
-                reached(to, length + std::hypot(dx, dy));
+                reached(to, node.driven + std::hypot(dx, dy));
             }
         }
     }
     return best;
+}
+
+}  // namespace
+
+std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle,
+                                   std::optional<Point> next) {
+    Standing found;
+    if (next) {
+        const Point to = *next;
+        const double apart = to_box(to, map.map().obstacle(obstacle).bounds) - margin_of_places(body);
+        const auto way_on = [to](Cell c) { return distance(Point(c), to); };
+        found = nearest(map, body, from, obstacle, way_on, std::max(apart, 0.0));
+    } else {
+        found = nearest(
+            map, body, from, obstacle, [](Cell) { return 0.0; }, 0);
+    }
+    return std::isfinite(found.whole) ? std::optional(found.at) : std::nullopt;
 }
 
 }  // namespace waybreaker::clearing
