@@ -165,13 +165,14 @@ struct Mission {
     std::vector<Agent> agents = {};
     Rules rules = {};
 
-    // Whether it has agents, and others than one ground and one air agent that count alike.
+    // Whether it has agents, and others than one ground and one air agent that count alike and only the latter
+    // breaches.
     bool is_team() const;
     // Whether each agent must arrive, and counts for as much as any other.
     bool counts_alike() const;
     // Whether its only agent breaches what is in its way itself.
     bool opens_own_way() const;
-    // Whether it has other agents than a ground agent that may breach.
+    // Whether a ground agent may breach beside other agents.
     bool clears() const;
     // Whether some flight may be too long.
     bool limits_flights() const;

@@ -1,9 +1,6 @@
-// Vehicles that clear the way for others, beside aircraft or without. What they breach and in which order is
-// searched for; given that, they drive at once, and the others are planned as past obstacles that open by themselves.
-//
-// The bound is that of a relaxed mission: each vehicle that clears drives as one that does not, and an aircraft of its
-// speed breaches for it. A drive is no shorter than a flight, except that a vehicle stands beside what it breaches and
-// an aircraft at a cell of its boundary; that is allowed for.
+// Vehicles that clear the way for others, beside aircraft or without. What they breach and in which order is searched
+// for; given that, they drive at once, and the others are planned past obstacles that open by themselves. The bound is
+// that of a relaxed mission (relaxed_mission.hpp).
 #pragma once
 
 #include <functional>

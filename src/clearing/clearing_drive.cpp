@@ -77,6 +77,7 @@ std::optional<ClearingDrive> ClearingDrives::drive(const Agent& vehicle, const T
         clearing.breaches.push_back({one->obstacle, at, time, cleared});
         time = cleared;
         add(at, time);
+        if (time > most_breach_time) return std::nullopt;
     }
     return clearing;
 }

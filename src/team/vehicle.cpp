@@ -62,8 +62,9 @@ std::vector<Cell> way_in_time(const Trip& trip, std::span<const TimedOpening> op
     options.length_limit = (vehicle.alone - agent.ready_at) * agent.speed;
     options.opened_after = [&](std::span<const ObstacleId> crossed) {
         double last = 0;
-        for (const ObstacleId id : crossed)
-            last = std::max(last, std::ranges::find(openings, id, &TimedOpening::obstacle)->at - agent.ready_at);
+        for (const TimedOpening& opening : openings) {
+            if (std::ranges::count(crossed, opening.obstacle) > 0) last = std::max(last, opening.at - agent.ready_at);
+        }
         return last * agent.speed;
     };
     const CrossingResult found = searchers.crossing.find(trip.map, agent.start, agent.goal, options);
