@@ -1,6 +1,6 @@
 // The menu of what can go wrong at a place of the map, opened by a right click, a long press or the keyboard.
 import type { Signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Point } from "../domain/geometry";
 import type { Pointed } from "../domain/scene";
 import type { Studio } from "../mission/studio";
@@ -14,7 +14,8 @@ export interface Asked {
 export function MishapMenu({ studio, asked }: { studio: Studio; asked: Signal<Asked | null> }) {
   const open = asked.value;
   const menu = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  // Before anybody can press a key: the arrows are the menu's as soon as it is there.
+  useLayoutEffect(() => {
     if (!open || !menu.current) return;
     // It stays on the map. Where it is, is set here: the page's security policy forbids styles in elements.
     const { offsetWidth: width, offsetHeight: height, offsetParent, style } = menu.current;
