@@ -266,6 +266,20 @@ TEST(Clearing, AnAircraftAndABulldozerShareTheWork) {
     EXPECT_EQ(std::ranges::count(plan.breaches, "heli", &Breach::by), 2);
 }
 
+// Each is at the crossing at the same time, on its way to what it has to open for itself.
+TEST(Clearing, TwoDoNotMeetOnTheirWays) {
+    const Map map = Map::from_rows({".........", ".........", ".........", ".......AA", ".......A.", ".......AA",
+                                    ".........", "...BBB...", "...B.B..."});
+    Mission mission{{vehicle("across", {0, 4}, {8, 4}), vehicle("down", {4, 0}, {4, 8})}};
+    for (Agent& agent : mission.agents) agent.own_breaches = 1;
+    mission.rules.removals = 2;
+    mission.rules.breach_time.per_obstacle = 3;
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_EQ(plan.breaches.size(), 2U);
+}
+
 TEST(Clearing, RefusesWhatItCannotPlan) {
     const Map map(Grid(8, 8));
     Mission mission{{vehicle("dozer", {0, 0}, {7, 7}), vehicle("rover", {0, 3}, {7, 3})}};
