@@ -38,6 +38,7 @@ class ClearingPlanner {
           deadline_(limits.seconds),
           drives_(map, mission.rules, method, deadline_, searchers),
           least_(map, mission, limits_, deadline_, searchers) {
+        states_bound_ = method.select == Selection::exact || method.bound;
         plain_.explain = plain_.bound = false;
         for (std::size_t i = 0; i < mission.agents.size(); ++i) {
             const Agent& agent = mission.agents[i];
@@ -230,9 +231,10 @@ class ClearingPlanner {
         double least = 0;  // no plan with these tours is below that; 0 where aircraft may open more
     };
 
-    // Empty where the tours cannot be driven, or were tried.
+    // Empty where the tours cannot be driven, were tried, or are not to be selected.
     std::optional<Trial> trial_of(Tours tours) {
-        if (tried_.contains(tours)) return std::nullopt;
+        if (tried_.contains(tours) || (plain_.select == Selection::none && !are_all_in(mission_.rules.force, tours)))
+            return std::nullopt;
         Trial trial{std::move(tours), {}, {}};
         std::optional<Mission> others = beside(trial.tours, trial.clearings);
         if (!others) {
@@ -342,7 +344,7 @@ class ClearingPlanner {
         plan.bound.reset();
         plan.gap.reset();
         if (plan.status == PlanStatus::solved) {
-            if (bound_ > 0) {
+            if (states_bound_ && bound_ > 0) {
                 plan.bound = std::min(bound_, best_value_);
                 plan.gap = best_value_ / *plan.bound - 1;
             }
@@ -376,6 +378,7 @@ class ClearingPlanner {
     std::set<Tours> tried_;
     std::size_t plans_ = 0;
     double bound_ = 0;
+    bool states_bound_ = false;
     bool limited_ = false;
     PlanStatus relaxed_status_ = PlanStatus::not_found;
 

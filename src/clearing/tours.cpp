@@ -16,6 +16,12 @@ std::vector<ObstacleId> obstacles_of(const Tours& tours) {
     return all;
 }
 
+bool are_all_in(std::span<const ObstacleId> obstacles, const Tours& tours) {
+    return std::ranges::all_of(obstacles_of(tours), [obstacles](ObstacleId id) {
+        return std::ranges::find(obstacles, id) != obstacles.end();
+    });
+}
+
 std::optional<Rules> rules_beside(const Map& map, const Mission& mission, const Tours& tours) {
     Rules rules = mission.rules;
     for (const ObstacleId id : obstacles_of(tours)) {

@@ -21,6 +21,9 @@ std::vector<Tours> neighbours(const Tours& tours, std::span<const ObstacleId> po
 // nobody.
 std::optional<Rules> rules_beside(const Map& map, const Mission& mission, const Tours& tours);
 
+// Whether nothing else is breached than these.
+bool are_all_in(std::span<const ObstacleId> obstacles, const Tours& tours);
+
 // All that are breached, in id order.
 std::vector<ObstacleId> obstacles_of(const Tours& tours);
 

@@ -244,6 +244,21 @@ TEST(Clearing, ABulldozerOpensTheWayForAnother) {
     EXPECT_EQ(plan.agents[0].waits.front().agent, "dozer");
 }
 
+TEST(Clearing, SelectsNothingButWhatIsForcedWhereNothingIsToBeSelected) {
+    const Map map = Map::from_rows({"....A....B....", "....A....B....", "..............", "....A....B...."});
+    Mission mission{{vehicle("dozer", {0, 0}, {0, 3}), vehicle("rover", {0, 1}, {13, 0})}};
+    mission.agents.front().own_breaches = 2;
+    mission.rules.removals = 2;
+    const Method none{.select = Selection::none};
+    EXPECT_TRUE(Planner().plan(map, mission, none).breaches.empty());
+    EXPECT_FALSE(Planner().plan(map, mission).breaches.empty());
+    mission.rules.force = {map.obstacle_at({4, 0})};
+    const Plan forced = Planner().plan(map, mission, none);
+    EXPECT_TRUE(is_valid(map, mission, forced));
+    ASSERT_EQ(forced.breaches.size(), 1U);
+    EXPECT_EQ(forced.breaches.front().obstacle, mission.rules.force.front());
+}
+
 TEST(Clearing, AnAircraftAndABulldozerShareTheWork) {
     const std::string_view picture = R"(
         ....#....#....#....
