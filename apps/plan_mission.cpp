@@ -126,7 +126,7 @@ void set_sizes(const PlanOptions& options, const io::MapFile& map, io::MissionDo
 // then move at 1 m/s.
 void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
     const auto metric = [](const std::optional<Measure>& measure) { return measure && measure->metric; };
-    const std::optional<Measure>* const times[] = {&options.breach_time, &options.breach_time_per_cell,
+    const std::optional<Measure>* const times[] = {&options.breach_time, &options.breach_time_per_cell, &options.rubble,
                                                    &options.endurance};
     const auto metric_time = std::ranges::find_if(times, [&](const auto* time) { return metric(*time); });
     const auto given = [&options](const Agent& agent) -> const std::optional<Measure>& {
@@ -171,6 +171,7 @@ void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules
     rules.removals = options.removals.value_or(rules.removals);
     if (options.breach_time) rules.breach_time.per_obstacle = time_of(*options.breach_time);
     if (options.breach_time_per_cell) rules.breach_time.per_cell = time_of(*options.breach_time_per_cell);
+    if (options.rubble) rules.rubble = time_of(*options.rubble);
     if (!options.force.empty()) rules.force = options.force;
     if (!options.zones.empty()) rules.zones = read_zones_file(options.zones, file);
     if (options.separation) rules.separation = in_cells(*options.separation, file, radii);

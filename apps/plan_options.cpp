@@ -112,6 +112,9 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                 "unit, such as 30s or 2min, in seconds, at 1 m/s if no speeds are given (default: 0)");
     add_measure(command, "--breach-time-per-cell", options.breach_time_per_cell, breach_times, time_units, "TIME",
                 "How much longer for each cell of the obstacle (default: 0)");
+    add_measure(command, "--rubble", options.rubble, breach_times, time_units, "TIME",
+                "How much longer a ground agent takes for each removed obstacle that it drives through; with units as "
+                "--breach-time (default: 0)");
     add_protect(command, options);
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
     add_file(command, "--zones", options.zones,

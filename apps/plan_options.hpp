@@ -45,6 +45,7 @@ struct PlanOptions {
     std::optional<double> reserve;
     std::optional<Measure> breach_time;
     std::optional<Measure> breach_time_per_cell;
+    std::optional<Measure> rubble;
     std::vector<ObstacleId> protect;
     std::vector<site::TagFilter> protect_tags;  // beside these
     std::vector<ObstacleId> force;

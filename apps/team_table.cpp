@@ -38,14 +38,15 @@ std::string reached(const Plan& plan, const Mission& mission) {
 }
 
 std::string reason(const Wait& wait, const io::MapFile& map) {
+    const std::string_view name = wait.obstacle ? map.annotations.name_of(wait.obstacle) : std::string_view();
+    const std::string named = name.empty() ? "" : fmt::format(" ({})", shortened(name));
     switch (wait.reason) {
         case WaitReason::readiness:
             return ", until it is ready";
-        case WaitReason::opening: {
-            const std::string_view name = map.annotations.name_of(wait.obstacle);
-            return fmt::format(", until {} has opened {}{}", shortened(wait.agent), wait.obstacle.value,
-                               name.empty() ? "" : fmt::format(" ({})", shortened(name)));
-        }
+        case WaitReason::opening:
+            return fmt::format(", until {} has opened {}{}", shortened(wait.agent), wait.obstacle.value, named);
+        case WaitReason::rubble:
+            return fmt::format(", for the rubble of {}{}", wait.obstacle.value, named);
         case WaitReason::agent:
             return fmt::format(", for {}", shortened(wait.agent));
         case WaitReason::nothing:

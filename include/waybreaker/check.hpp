@@ -60,15 +60,16 @@ enum class Rule {
     zone,        // agents keep out of zones that hold for them; what is removed reaches into none for vehicles
     range,       // no aircraft flies farther than it may; what is out of range is
     endurance,   // ... or longer
+    rubble,      // who drives through what was removed takes its time
 };
 
 template <>
-inline constexpr std::array<std::string_view, 38> words_of<Rule>{
-    "map",       "status",     "agents",     "start",    "goal",     "time",     "speed",           "vertex",
-    "collision", "obstacle",   "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
-    "order",     "next",       "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-    "bound",     "gap",        "separation", "capacity", "saves",    "gain",     "waits",           "orders",
-    "surface",   "continuity", "if_failed",  "zone",     "range",    "endurance"};
+inline constexpr std::array<std::string_view, 39> words_of<Rule>{
+    "map",       "status",     "agents",     "start",    "goal",     "time",      "speed",           "vertex",
+    "collision", "obstacle",   "repetition", "removals", "budget",   "cells",     "boundary",        "breach",
+    "order",     "next",       "entered",    "length",   "makespan", "flowtime",  "ground_makespan", "before",
+    "bound",     "gap",        "separation", "capacity", "saves",    "gain",      "waits",           "orders",
+    "surface",   "continuity", "if_failed",  "zone",     "range",    "endurance", "rubble"};
 
 struct Violation {
     Rule rule = Rule::map;

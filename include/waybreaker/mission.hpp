@@ -139,6 +139,10 @@ struct Rules {
     // What agents keep out of. Obstacles that reach into a zone for vehicles are not removed.
     std::vector<Zone> zones = {};
     BreachTime breach_time = {};
+    // How much longer it takes a ground agent to get through what is left of an obstacle that is removed, in units of
+    // time, 0 to most_breach_time: once for each that it drives through. It stands for that at the turn before it, and
+    // enters no earlier than so long after the obstacle has opened. Where obstacles stand in time.
+    double rubble = 0;
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
     // Of the plans whose objective is at most this share above the best one's, the one that demolishes the fewest

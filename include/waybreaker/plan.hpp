@@ -19,9 +19,10 @@ namespace waybreaker {
 
 // What a ground agent waits for. `readiness`: its own Agent::ready_at; `opening`: an obstacle that stands; `agent`: one
 // that it would touch; `nothing`: it could go on, and only the planner did not see it.
-enum class WaitReason { nothing, readiness, opening, agent };
+enum class WaitReason { nothing, readiness, opening, agent, rubble };
 template <>
-inline constexpr std::array<std::string_view, 4> words_of<WaitReason>{"nothing", "readiness", "opening", "agent"};
+inline constexpr std::array<std::string_view, 5> words_of<WaitReason>{"nothing", "readiness", "opening", "agent",
+                                                                      "rubble"};
 
 // A time for which a ground agent stands on its way, and why: had it gone on at any moment of it, along its path to
 // where it waits next or to its goal, that would have been in its way. Two in a row at one place are two reasons, one

@@ -76,6 +76,8 @@ export interface Rules {
   retries?: number;
   breach_time?: number;
   breach_time_per_cell?: number;
+  /** How much longer a vehicle takes for each removed obstacle that it drives through; 0. */
+  rubble?: number;
   timing?: "enforce" | "ignore";
   objective?: Objective;
   /** A share, 0 to 1: of the plans that are at most so much worse than the best, the one that demolishes least. */
@@ -167,7 +169,7 @@ export interface Wait {
   at: [x: number, y: number];
   from: number;
   until: number;
-  reason: "opening" | "agent" | "readiness" | "nothing";
+  reason: "opening" | "agent" | "readiness" | "rubble" | "nothing";
   obstacle?: number;
   agent?: string;
 }

@@ -84,8 +84,9 @@ class Rules:
     Mary*"``); ``force``: numbers of those that must go; ``opened``: those that open by themselves, each
     ``{"obstacle": number, "at": time}``. Of a mission under way, ``failed`` are numbers of obstacles whose breach has
     failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and
-    ``breach_time_per_cell`` are in units of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share
-    of the objective, 0 to 1. ``zones``: what agents keep out of, GeoJSON in cells as in docs/crews.md. Without
+    ``breach_time_per_cell`` are in units of time, as is ``rubble``, which a vehicle takes longer for each removed
+    obstacle that it drives through; ``separation`` of vehicles is in cells, ``minimise_demolition`` a share of the
+    objective, 0 to 1. ``zones``: what agents keep out of, GeoJSON in cells as in docs/crews.md. Without
     ``collisions`` vehicles may be anywhere at once, and one that is not at its goal at the time ``unreached`` counts as
     if it arrived then.
     """
@@ -100,6 +101,7 @@ class Rules:
     retries: Optional[int] = None
     breach_time: Optional[float] = None
     breach_time_per_cell: Optional[float] = None
+    rubble: Optional[float] = None
     timing: Optional[Literal["enforce", "ignore"]] = None
     objective: Optional[Literal["makespan", "flowtime", "ground-makespan"]] = None
     minimise_demolition: Optional[float] = None

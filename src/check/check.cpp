@@ -23,6 +23,7 @@ void validate(const Terms& terms) {
     if (!is_time(time.per_obstacle) || !is_time(time.per_cell)) {
         throw InputError("the breach time must be a number, at least 0");
     }
+    if (!is_time(terms.rules.rubble)) throw InputError("the time that rubble takes must be a number, at least 0");
 }
 
 // Whom the itinerary is of: an agent of the mission as the mission has it.
@@ -125,7 +126,10 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
     if (!broken(ground_times)) {
         Drive drive = judge_ground(map, plan, *ground, driver, terms);
         append(all, std::move(drive.found));
-        if (drive.followed) append(all, judge_entries(map, plan, drive.entries, ground->id, terms));
+        if (drive.followed) {
+            append(all, judge_entries(map, plan, drive.entries, ground->id, terms));
+            append(all, judge_rubble(map, plan, *ground, driver, drive.entries, terms));
+        }
     }
     if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
     if (!broken(ground_times) && !broken(air_times)) {

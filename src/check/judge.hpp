@@ -82,6 +82,10 @@ Drive judge_approach(const Map& map, const Plan& plan, const Itinerary& ground, 
 Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,
                          const Terms& terms);
 
+// That it takes its time over rubble. `entries`: where it enters what.
+Violations judge_rubble(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked,
+                        const Entries& entries, const Terms& terms);
+
 // What is removed: whether it may be, and is as described.
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 

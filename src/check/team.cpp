@@ -125,6 +125,7 @@ class TeamJudge {
             Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
             followed = followed && drive.followed;
+            if (drive.followed) append(found_, judge_rubble(map_, plan_, path, agent, drive.entries, terms));
             for (const auto& [obstacle, contact] : drive.entries) {
                 const auto [known, is_new] = entries.emplace(obstacle, contact);
                 if (!is_new && contact.time < known->second.time) known->second = contact;

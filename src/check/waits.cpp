@@ -29,11 +29,18 @@ bool breaches(const Plan& plan, const Breach& breach, const std::string& agent) 
                        [&](const Itinerary& one) { return one.kind == AgentKind::air && one.id == agent; });
 }
 
+bool is_removed(const Plan& plan, const Rules& rules, ObstacleId obstacle) {
+    const auto is_it = [&](const auto& one) { return one.obstacle == obstacle; };
+    return std::any_of(rules.opened.begin(), rules.opened.end(), is_it) ||
+           std::any_of(plan.breaches.begin(), plan.breaches.end(), is_it);
+}
+
 // Whether that can be in the way until then.
 bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, double ready_at, const Wait& wait,
                 double hair) {
     const bool names_nobody = wait.agent.empty();
-    if (wait.obstacle && wait.reason != WaitReason::opening) return false;
+    const bool names_obstacle = wait.reason == WaitReason::opening || wait.reason == WaitReason::rubble;
+    if (wait.obstacle && !names_obstacle) return false;
     switch (wait.reason) {
         case WaitReason::nothing:
             return names_nobody;
@@ -48,6 +55,8 @@ bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, do
                 return breach.obstacle == wait.obstacle && wait.until <= breach.cleared_at + hair &&
                        breaches(plan, breach, wait.agent);
             });
+        case WaitReason::rubble:
+            return names_nobody && rules.rubble > 0 && is_removed(plan, rules, wait.obstacle);
         case WaitReason::agent:
             return wait.agent != agent.id &&
                    std::any_of(plan.agents.begin(), plan.agents.end(), [&](const Itinerary& other) {

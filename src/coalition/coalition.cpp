@@ -70,13 +70,14 @@ class Planning {
   private:
     // Each vehicle past all obstacles. False if a limit ends it.
     bool drive_alone() {
-        const OpenedMap map(problem_.map(), problem_.opened());
         const std::span<const TimedOpening> openings = problem_.late_openings();
+        const team::Ground ground{
+            OpenedMap(problem_.map(), problem_.opened()), {openings.begin(), openings.end()}, problem_.rules().rubble};
         std::vector<team::Vehicle> vehicles(problem_.vehicles().size());
         std::vector<SearchStatus> ends(vehicles.size());
         const auto drive = [&](std::size_t i, CrossingSearcher& crossing, Searcher& theta) {
             vehicles[i].agent = *problem_.vehicles()[i];
-            ends[i] = team::go_alone(map, openings, interrupts_, crossing, theta, vehicles[i]);
+            ends[i] = team::go_alone(ground, interrupts_, crossing, theta, vehicles[i]);
             team::count_unreached(problem_.rules(), vehicles[i]);
         };
         drive(0, crossing_, theta_);  // first, so that all workers share the maps that it grows

@@ -30,7 +30,7 @@ class DraftPlanner {
     // With nothing removed, just as a team without aircraft.
     team::TeamPlan plan_paths() const {
         const bool removes = !draft_.set.empty();
-        team::Ground ground{OpenedMap(problem_.map(), draft_.set)};
+        team::Ground ground{OpenedMap(problem_.map(), draft_.set), {}, problem_.rules().rubble};
         for (const auto& [obstacle, time] : draft_.openings) ground.openings.push_back({obstacle, time});
         std::vector<team::Vehicle> vehicles(closed_.begin(), closed_.end());
         for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(v);

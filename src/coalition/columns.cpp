@@ -86,7 +86,7 @@ double Columns::closed_length(std::size_t vehicle, std::span<const team::Vehicle
 // The best set of that size or smaller.
 CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_limit, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    CrossingOptions options = options_for(agent);
+    CrossingOptions options = options_for(vehicle);
     options.crossings = crossings;
     options.length_limit = length_limit;
     CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
@@ -115,7 +115,8 @@ void Columns::begin_in_time(std::size_t vehicle, Worker& worker) {
     pool.least = arrival_of(agent, {}, least);
     if (std::isinf(least)) return;
     if (in_time()) {
-        CrossingOptions options = options_for(agent);
+        CrossingOptions options = options_for(vehicle);
+        options.prices = {};
         options.limits.expansions = std::min(problem_.interrupts().expansions, tuning::most_first_expansions_in_time);
         options.length_limit = closed;
         options.expected = least;
@@ -145,7 +146,9 @@ void Columns::begin_by_count(std::size_t vehicle, Worker& worker) {
     pool.least = std::max(pool.least, list_near(vehicle, free, tuning::most_margin * pool.least, worker).least);
 }
 
-CrossingOptions Columns::options_for(const Agent& agent) const {
+// As if all were open: a search in time must not count the rubble of what it passes before a wait.
+CrossingOptions Columns::options_for(std::size_t vehicle) const {
+    const Agent& agent = *problem_.vehicles()[vehicle];
     CrossingOptions options;
     options.relaxed = shape_ == Shape::relaxed;
     // Who cuts corners is a point.
@@ -155,6 +158,7 @@ CrossingOptions Columns::options_for(const Agent& agent) const {
     options.removed = problem_.forced();
     options.protect = problem_.rules().protect;
     options.budget = problem_.spare_budget();
+    options.prices = problem_.rubble_prices(vehicle);
     options.limits = problem_.interrupts().limits();
     options.limits.expansions = std::min(options.limits.expansions, most_expansions_);
     return options;
@@ -188,16 +192,17 @@ double Columns::most_gain(std::size_t vehicle, const Obstacle& obstacle) const {
     return std::isinf(closed) ? least : std::max(closed - least, 0.0);
 }
 
-// In cells that it could drive until then.
-double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings) {
-    return (openings.of(obstacles).open - agent.ready_at) * agent.speed;
+// In cells that it could drive until then, and through the rubble of one of them.
+double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles,
+                             EarliestOpenings& openings) const {
+    return (openings.of(obstacles).open + problem_.rules().rubble - agent.ready_at) * agent.speed;
 }
 
 // As if an aircraft could have each of them open as early as if it were the only one.
 double Columns::each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const {
     double last = -infinity;
     for (const ObstacleId id : obstacles) last = std::max(last, problem_.earliest_opening(id));
-    return (last - agent.ready_at) * agent.speed;
+    return (last + problem_.rules().rubble - agent.ready_at) * agent.speed;
 }
 
 // Who crosses an obstacle does so no earlier than the first aircraft can have it open, and has the rest of the way to
@@ -206,7 +211,8 @@ double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opene
     double arrival = agent.ready_at + length / agent.speed;
     if (problem_.rules().timing == Timing::ignore) return arrival;
     for (const ObstacleId id : opened) {
-        arrival = std::max(arrival, late_arrival(agent, problem_.map().obstacle(id), problem_.earliest_opening(id)));
+        const double passed = problem_.earliest_opening(id) + problem_.rules().rubble;
+        arrival = std::max(arrival, late_arrival(agent, problem_.map().obstacle(id), passed));
         if (problem_.rules().objective == Objective::makespan) {
             arrival = std::max(arrival, problem_.earliest_return(id));
         }
@@ -267,11 +273,14 @@ Columns::Search Columns::list(std::size_t vehicle, std::span<const double> price
     return list_near(vehicle, prices, margin, worker);
 }
 
-Columns::Query Columns::query(const Agent& agent, std::span<const double> prices, double less_than) const {
-    Query query{{}, useless(agent, prices, less_than), options_for(agent)};
+Columns::Query Columns::query(std::size_t vehicle, std::span<const double> prices, double less_than) const {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    Query query{{}, {}, useless(agent, prices, less_than), options_for(vehicle)};
     for (const double price : prices) query.prices.push_back(price * agent.speed);
+    query.with_rubble = query.prices;
+    for (std::size_t id = 0; id < query.options.prices.size(); ++id) query.with_rubble[id] += query.options.prices[id];
     query.protect.insert(query.protect.end(), query.options.protect.begin(), query.options.protect.end());
-    query.options.prices = query.prices;
+    query.options.prices = query.with_rubble;
     query.options.protect = query.protect;
     return query;
 }
@@ -285,7 +294,7 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     double best = best_known(vehicle, prices);
     if (proof.complete && proof.least - greatest_fall(proof.prices, prices) >= best * (1 - rounding))
         return {best, best};
-    Query asked = query(agent, prices, best);
+    Query asked = query(vehicle, prices, best);
     CrossingOptions& options = asked.options;
     const auto find = [&](const crossing::Opener& opener) {
         if (std::isfinite(best)) {
@@ -307,6 +316,7 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     proof.least = 0;
     find({});
     if (in_time() && proof.least < best * (1 - rounding)) {
+        options.prices = asked.prices;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
         options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions_in_time);
         find({.opens_each_alone = true});
@@ -320,13 +330,14 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
     double best = best_known(vehicle, prices);
     if (std::isfinite(best)) margin = std::min(margin, tuning::most_margin * best);
-    Query asked = query(agent, prices, best + margin);
+    Query asked = query(vehicle, prices, best + margin);
     CrossingOptions& options = asked.options;
     if (std::isfinite(best)) {
         options.length_limit = (best + margin - agent.ready_at) * agent.speed;
         options.expected = options.length_limit;
     }
     if (in_time()) {
+        options.prices = asked.prices;
         options.opened_after = [&](std::span<const ObstacleId> opened) {
             return opened_after(agent, opened, worker.openings);
         };
@@ -359,13 +370,15 @@ void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opene
     double nearest = infinity;
     for (const ObstacleId id : set) nearest = std::min(nearest, gap(problem_.map().obstacle(id).bounds, agent.start));
     if (opened_after(agent, set, worker.openings) <= nearest) return add(vehicle, set, length);
-    CrossingOptions options = options_for(agent);
+    CrossingOptions options = options_for(vehicle);
+    options.prices = {};
     options.only = set;
     options.crossings = int(set.size());
     options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, worker.openings); };
     const CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
     if (found.status == SearchStatus::found) {
-        add(vehicle, found.best.crossed, found.best.cost);
+        const bool crosses_all = found.best.crossed.size() == set.size();
+        add(vehicle, found.best.crossed, crosses_all ? std::max(length, found.best.cost) : found.best.cost);
     } else {
         add(vehicle, set, std::max(length, found.lower_bound));
     }

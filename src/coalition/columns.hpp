@@ -70,13 +70,15 @@ class Columns {
     Search list(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker);
 
   private:
-    // At certain prices, for what costs less than that. The options refer to the lists.
+    // At certain prices, for what costs less than that. The options refer to the lists, and are those of a search as if
+    // all were open.
     struct Query {
-        std::vector<double> prices;  // by id, in cells
+        std::vector<double> prices;       // by id, in cells
+        std::vector<double> with_rubble;  // likewise
         std::vector<ObstacleId> protect;
         CrossingOptions options;
     };
-    Query query(const Agent& agent, std::span<const double> prices, double less_than) const;
+    Query query(std::size_t vehicle, std::span<const double> prices, double less_than) const;
     Search search_best(std::size_t vehicle, std::span<const double> prices, Worker& worker);
     Search list_near(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker);
     double closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Worker& worker);
@@ -95,9 +97,9 @@ class Columns {
     double best_known(std::size_t vehicle, std::span<const double> prices) const;
     bool can_heed_times() const { return shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce; }
     bool in_time() const { return heeds_times_; }
-    CrossingOptions options_for(const Agent& agent) const;
+    CrossingOptions options_for(std::size_t vehicle) const;
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
-    static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings);
+    double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings) const;
     double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 

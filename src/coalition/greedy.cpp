@@ -65,14 +65,15 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
         options.length_limit = options.expected = (found.closed - agent.ready_at) * agent.speed;
     }
     options.crossings = 1;
+    options.prices = problem_.rubble_prices(vehicle);
     options.limits.expansions = std::min(options.limits.expansions, tuning::most_greedy_expansions);
     const CrossingResult all =
         searcher.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (path.crossed.empty()) return false;  // what follows is no earlier
             const ObstacleId id = path.crossed.front();
             const double driven = agent.ready_at + path.cost / agent.speed;
-            found.with.emplace(
-                id, std::max(driven, late_arrival(agent, problem_.map().obstacle(id), problem_.earliest_opening(id))));
+            const double opened = problem_.earliest_opening(id) + problem_.rules().rubble;
+            found.with.emplace(id, std::max(driven, late_arrival(agent, problem_.map().obstacle(id), opened)));
             return found.with.size() < tuning::most_greedy_obstacles;
         });
     found.limited = problem_.interrupts().due() || !came_to_its_end(closed.status) ||

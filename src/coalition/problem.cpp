@@ -52,6 +52,10 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
             capacity += agent.breaches;
         }
     }
+    for (const Agent* vehicle : vehicles_) {
+        const double price = mission.rules.rubble * vehicle->speed;
+        rubble_prices_.emplace_back(price > 0 ? map.obstacles().size() + 1 : 0, price);
+    }
     flight_weight_ = least_weight_of(aircraft_);
     const std::size_t must = forced_.size();
     for (const TimedOpening& opening : mission.rules.opened) opened_.push_back(opening.obstacle);

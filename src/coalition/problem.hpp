@@ -71,6 +71,9 @@ class Problem {
     double breach_time(ObstacleId id) const {
         return given_opening(id) ? 0 : rules().breach_time.of(map_.obstacle(id));
     }
+    // What a vehicle could drive while it gets through the rubble of each obstacle, by id, in cells; empty if there is
+    // none.
+    std::span<const double> rubble_prices(std::size_t vehicle) const { return rubble_prices_[vehicle]; }
     // No aircraft has it open earlier; 0 where obstacles do not stand in time.
     double earliest_opening(ObstacleId id) const { return earliest(id).opening; }
     // The same, a little less and faster.
@@ -108,8 +111,9 @@ class Problem {
     Set opened_;
     int spare_removals_ = 0;
     double spare_budget_ = infinity;
-    std::vector<double> least_openings_;  // by id
-    std::vector<double> short_detours_;   // by id
+    std::vector<std::vector<double>> rubble_prices_;  // by vehicle
+    std::vector<double> least_openings_;              // by id
+    std::vector<double> short_detours_;               // by id
     // By id, of those that were asked for.
     mutable std::vector<Earliest> earliest_;
     mutable std::vector<Once> asked_;

@@ -9,6 +9,7 @@
 #include "drive/opening.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker::coalition {
@@ -89,12 +90,13 @@ std::vector<Point> Ways::shorter(const Agent& agent, std::vector<Point> path,
 
 Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const {
     Way way;
-    const std::vector<Waypoint> driven = timed(path, agent.speed);
+    const double rubble = problem_.rules().rubble;
+    const std::vector<Waypoint> driven = timed_through(problem_.map(), path, agent.body, agent.speed, 0, {set, rubble});
     way.drive = driven.back().t;
     way.path = team::cells_of(path);
     for (const ObstacleId id : set) {
         const auto touched = first_touch(problem_.map(), id, driven, standing_radius(agent.body));
-        if (touched) way.gates.push_back({id, *touched});
+        if (touched) way.gates.push_back({id, *touched - rubble});
     }
     return way;
 }
@@ -134,6 +136,7 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     options.body = closed.agent.body;
     options.crossings = int(set.size());
     options.only = set;
+    options.prices = problem_.rubble_prices(vehicle);
     options.limits = problem_.interrupts().limits();
     options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions);
     if (const double length = longest(vehicle); std::isfinite(length)) {
@@ -169,13 +172,13 @@ void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Worker& 
         if (std::ranges::find(sets, other) == sets.end()) sets.push_back(std::move(other));
     }
     const Agent& agent = closed_[vehicle].agent;
-    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
+    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts(), problem_.rules().rubble);
     const double longest = options_for(vehicle, set).length_limit;
     for (const Set& crossed : sets) {
         const Opening opening = open(trip, {worker.theta, worker.crossing}, crossed);
         effort_[vehicle] += tuning::effort_of_expansion * opening.ground.expanded;
         menu.complete = menu.complete && !opening.limited;
-        if (opening.status != SearchStatus::found || *opening.ground.length > longest) continue;
+        if (opening.status != SearchStatus::found || cells_driven(trip, opening) > longest) continue;
         Way& way = menu.ways.emplace_back(way_of(agent, opening.ground.path, crossed));
         way.expanded = opening.ground.expanded;
         way.generated = opening.ground.generated;
@@ -211,7 +214,10 @@ Way Ways::stay(std::size_t vehicle) const {
 Way Ways::closed_way(std::size_t vehicle) const {
     const team::Vehicle& closed = closed_[vehicle];
     const Set& opened = problem_.opened();
-    Way way = way_of(closed.agent, shorter(closed.agent, {closed.way.begin(), closed.way.end()}, opened), opened);
+    std::vector<Point> path(closed.way.begin(), closed.way.end());
+    // It goes around what is not worth its rubble.
+    if (problem_.rules().rubble == 0) path = shorter(closed.agent, std::move(path), opened);
+    Way way = way_of(closed.agent, path, opened);
     way.expanded = closed.expanded;
     way.generated = closed.generated;
     return way;
@@ -270,13 +276,14 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
     options.length_limit = (arrive_before - agent.ready_at) * agent.speed * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> crossed) {
         double last = 0;
-        for (const ObstacleId id : crossed) last = std::max(last, openings.at(id) - agent.ready_at);
+        const double rubble = problem_.rules().rubble;
+        for (const ObstacleId id : crossed) last = std::max(last, openings.at(id) + rubble - agent.ready_at);
         return last * agent.speed;
     };
     const CrossingResult found = worker.crossing.find(problem_.map(), agent.start, agent.goal, options);
     effort_[vehicle] += tuning::effort_of_expansion * found.expanded;
     if (found.best.path.empty()) return std::nullopt;
-    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
+    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts(), problem_.rules().rubble);
     const Opening driven = drivable(trip, {worker.theta, worker.crossing}, found.best, part);
     if (driven.status != SearchStatus::found) return std::nullopt;
     // Not shortened: who bends may do so to come late.
@@ -291,7 +298,7 @@ Way Ways::punctual_way(const OpenedMap& opened, std::size_t vehicle, const Way& 
     const Agent& agent = closed_[vehicle].agent;
     std::vector<TimedOpening> times;
     for (const ObstacleId id : part) times.push_back({id, openings.at(id)});
-    const auto [path, judged] = punctual(opened, agent, way.path, std::move(times));
+    const auto [path, judged] = punctual(opened, agent, way.path, std::move(times), problem_.rules().rubble);
     effort_[vehicle] += judged;
     Way bent = way_of(agent, std::vector<Point>(path.begin(), path.end()), part);
     bent.expanded = way.expanded;

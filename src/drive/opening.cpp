@@ -1,10 +1,12 @@
 #include "drive/opening.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "drive/fitted.hpp"
 #include "drive/shortened.hpp"
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
@@ -66,6 +68,18 @@ Opening shorter(Opening one, Opening other) {
     return std::move(taken);
 }
 
+// Of obstacles that leave rubble: those on the quickest way, each worth what it costs.
+std::vector<ObstacleId> worth_passing(const Trip& trip, const Searchers& searchers,
+                                      const std::vector<ObstacleId>& removed) {
+    const std::vector<double> prices(trip.map.obstacles().size() + 1, trip.rubble * trip.driver.speed);
+    CrossingOptions options = open_search(trip, {});
+    options.crossings = int(removed.size());
+    options.only = removed;
+    options.prices = prices;
+    const CrossingResult found = searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
+    return found.best.path.empty() ? removed : found.best.crossed;
+}
+
 // Whether so little time is left, for the size of the map, that Theta* comes first.
 bool is_short_of_time(const Trip& trip) {
     return trip.deadline.left() < seconds_a_cell * double(trip.map.grid().cell_count());
@@ -107,7 +121,44 @@ Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<
     return opening;
 }
 
+Opening open_all(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, double shorter_than) {
+    if (!trip.by_crossing()) return open_by_cells(trip, searchers, std::move(removed));
+    if (!trip.driver.body.is_point() && !square_stands_for(trip.driver.body)) {
+        return open_for_disc(trip, searchers, std::move(removed), shorter_than);
+    }
+    Opening opening = open_by_crossing(trip, searchers, removed);
+    const bool out_of_time = opening.limited && !opening.ground.length && opening.ground.expanded < trip.expansions;
+    if (!out_of_time) return opening;
+    opening = open_by_cells(trip, searchers, std::move(removed));
+    opening.limited = true;
+    return opening;
+}
+
+// Past some of the removed obstacles only.
+Opening open_through_rubble(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
+                            double shorter_than) {
+    std::vector<ObstacleId> passed = trip.by_crossing() ? worth_passing(trip, searchers, removed) : removed;
+    Opening opening = open_all(trip, searchers, std::move(passed), shorter_than);
+    if (!trip.by_crossing()) {
+        const Opening around = open_by_cells(trip, searchers, {});
+        const bool is_quicker = around.ground.length &&
+                                (!opening.ground.length || cells_driven(trip, around) < cells_driven(trip, opening));
+        if (is_quicker) opening.ground = around.ground;
+    }
+    opening.removed = std::move(removed);
+    return opening;
+}
+
 }  // namespace
+
+double cells_driven(const Trip& trip, const Opening& opening) {
+    const double length = opening.ground.length.value_or(infinity);
+    if (trip.rubble == 0 || !opening.ground.length) return length;
+    const std::vector<std::size_t> touched =
+        rubble_on(trip.map, timed(opening.ground.path, 1), trip.driver.body, opening.removed);
+    const auto all = std::accumulate(touched.begin(), touched.end(), std::size_t{0});
+    return length + double(all) * trip.rubble * trip.driver.speed;
+}
 
 SearchOptions Trip::by_cells() const {
     SearchOptions options = search;
@@ -143,23 +194,17 @@ bool square_stands_for(const Body& body) {
 }
 
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, double shorter_than) {
-    if (!trip.by_crossing()) return open_by_cells(trip, searchers, std::move(removed));
-    if (!trip.driver.body.is_point() && !square_stands_for(trip.driver.body)) {
-        return open_for_disc(trip, searchers, std::move(removed), shorter_than);
-    }
-    Opening opening = open_by_crossing(trip, searchers, removed);
-    const bool out_of_time = opening.limited && !opening.ground.length && opening.ground.expanded < trip.expansions;
-    if (!out_of_time) return opening;
-    opening = open_by_cells(trip, searchers, std::move(removed));
-    opening.limited = true;
-    return opening;
+    const bool has_rubble = trip.rubble > 0 && !removed.empty();
+    return has_rubble ? open_through_rubble(trip, searchers, std::move(removed), shorter_than)
+                      : open_all(trip, searchers, std::move(removed), shorter_than);
 }
 
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
              double seconds, double shorter_than) {
     const Body& body = trip.driver.body;
     if (trip.by_crossing() && body.is_point()) return opening_of(trip, std::move(removed), found, seconds);
-    if (!trip.by_crossing() || !square_stands_for(body)) return open(trip, searchers, std::move(removed), shorter_than);
+    if (!trip.by_crossing() || !square_stands_for(body) || trip.rubble > 0)
+        return open(trip, searchers, std::move(removed), shorter_than);
     Opening opening = open_by_crossing(trip, searchers, removed, found.best.length);
     if (!opening.limited) return opening;
     return shorter(std::move(opening), opening_of(trip, std::move(removed), found, seconds));

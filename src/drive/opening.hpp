@@ -27,6 +27,7 @@ struct Trip {
     Deadline deadline;     // of the whole call
     std::uint64_t expansions = UINT64_MAX;
     StopToken stop = {};
+    double rubble = 0;  // Rules::rubble
 
     bool by_crossing() const { return search.planner == Algorithm::optimal; }
     Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }
@@ -41,6 +42,10 @@ struct Opening {
     bool limited = false;  // a limit ended the search: there may be a shorter path
 };
 
+// How many cells the ground agent could drive until it is at the end of the path, no obstacle being late: the path's
+// length, and what rubble on it takes; infinity if there is none.
+double cells_driven(const Trip& trip, const Opening& opening);
+
 // The path that a search found on the map without some obstacles; the crossing search's as the disc drives it.
 Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
 Opening opening_of(const Trip& trip, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
@@ -50,8 +55,8 @@ bool square_stands_for(const Body& body);
 
 // The shortest ground path, by the trip's planner, on the map without some obstacles. Where the optimal one does not
 // come in half the time that is left: Theta*'s. A disc that the square does not stand for drives the shortest of the
-// paths that are known to it, Theta*'s among them; no path where none can be shorter than so many cells. The same set
-// always gives the same path.
+// paths that are known to it, Theta*'s among them; no path where none can be shorter than so many cells. Where there is
+// rubble, the path leads through as many of them as is quickest. The same set always gives the same path.
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
              double shorter_than = std::numeric_limits<double>::infinity());
 // The same, of a set that a crossing search has found together with its path in so many seconds: a point drives that

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "map/line_of_sight.hpp"
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
@@ -37,8 +38,14 @@ Place place_after(const std::vector<Cell>& path, double length) {
 
 class Bending {
   public:
-    Bending(const OpenedMap& map, const Agent& agent, std::vector<Cell> path, std::vector<TimedOpening> openings)
-        : map_(map), agent_(agent), openings_(std::move(openings)), sight_(map, agent.body), path_(std::move(path)) {}
+    Bending(const OpenedMap& map, const Agent& agent, std::vector<Cell> path, std::vector<TimedOpening> openings,
+            double rubble)
+        : map_(map),
+          agent_(agent),
+          openings_(std::move(openings)),
+          rubble_(rubble),
+          sight_(map, agent.body),
+          path_(std::move(path)) {}
 
     PunctualPath run() && {
         best_ = drive(path_, std::numeric_limits<double>::infinity());
@@ -63,7 +70,8 @@ class Bending {
 
     // No need to be exact about a path on which it arrives no earlier than that.
     Drive drive(const std::vector<Cell>& path, double arrive_before) {
-        const std::vector<Waypoint> driven = timed(std::vector<Point>(path.begin(), path.end()), agent_.speed);
+        const std::vector<Waypoint> driven = timed_through(map_.map(), std::vector<Point>(path.begin(), path.end()),
+                                                           agent_.body, agent_.speed, 0, {map_.removed(), rubble_});
         Drive found{agent_.ready_at + driven.back().t};
         if (found.arrival >= arrive_before) return found;
         ++judged_;
@@ -71,7 +79,7 @@ class Bending {
         for (TimedOpening& opening : openings_) {
             const auto after = first_touch(map_.map(), opening.obstacle, driven, standing_radius(agent_.body));
             if (!after) continue;
-            const double wait = opening.at - agent_.ready_at - *after;
+            const double wait = opening.at + rubble_ - agent_.ready_at - *after;
             if (wait <= delay) continue;
             delay = wait;
             found = {agent_.ready_at + driven.back().t + delay, after};
@@ -109,6 +117,7 @@ class Bending {
     const OpenedMap& map_;
     const Agent& agent_;
     std::vector<TimedOpening> openings_;
+    double rubble_;
     LineOfSight sight_;
     std::vector<Cell> path_;
     Drive best_;
@@ -118,8 +127,8 @@ class Bending {
 }  // namespace
 
 PunctualPath punctual(const OpenedMap& map, const Agent& agent, std::vector<Cell> path,
-                      std::vector<TimedOpening> openings) {
-    return Bending(map, agent, std::move(path), std::move(openings)).run();
+                      std::vector<TimedOpening> openings, double rubble) {
+    return Bending(map, agent, std::move(path), std::move(openings), rubble).run();
 }
 
 }  // namespace waybreaker

@@ -16,7 +16,8 @@ struct PunctualPath {
 
 // Moves bends beside the place where an agent comes too early to the obstacle that delays it most, and adds one there,
 // while it arrives earlier by that. The path bends at cell centres and is legal on the map, on which all are open.
+// `rubble`: Rules::rubble.
 PunctualPath punctual(const OpenedMap& map, const Agent& agent, std::vector<Cell> path,
-                      std::vector<TimedOpening> openings);
+                      std::vector<TimedOpening> openings, double rubble);
 
 }  // namespace waybreaker

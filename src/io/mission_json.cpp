@@ -99,6 +99,7 @@ Json rules_json(const MissionDocument& document) {
     if (!rules.zones.empty()) json["zones"] = zones_json(rules.zones);
     json["breach_time"] = number(rules.breach_time.per_obstacle);
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
+    if (rules.rubble != 0) json["rubble"] = number(rules.rubble);
     json["timing"] = to_string(rules.timing);
     json["objective"] = to_string(rules.objective);
     if (rules.minimise_demolition) json["minimise_demolition"] = number(*rules.minimise_demolition);
@@ -220,6 +221,7 @@ void read_rules(const JsonField& field, MissionDocument& document) {
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
     if (const auto time = field.find("breach_time_per_cell"))
         rules.breach_time.per_cell = read_between(*time, 0, most_breach_time);
+    if (const auto time = field.find("rubble")) rules.rubble = read_between(*time, 0, most_breach_time);
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
     if (const auto tolerance = field.find("minimise_demolition")) rules.minimise_demolition = read_share(*tolerance);
@@ -264,8 +266,8 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "opened", "failed", "retries", "zones",
-                      "breach_time", "breach_time_per_cell", "timing", "objective", "minimise_demolition", "collisions",
-                      "unreached", "separation", "at_goal"});
+                      "breach_time", "breach_time_per_cell", "rubble", "timing", "objective", "minimise_demolition",
+                      "collisions", "unreached", "separation", "at_goal"});
         read_rules(*rules, result);
     }
     if (const auto method = document.find("method")) {

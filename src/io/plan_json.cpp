@@ -55,6 +55,7 @@ Json options_json(const PlanContext& context) {
               {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
               {"corners", to_string(body.corners)},
               {"radius", number(body.radius)}};
+    if (rules.rubble != 0) json["rubble"] = number(rules.rubble);
     if (rules.separation != 0) json["separation"] = number(rules.separation);
     if (rules.at_goal != AtGoal::stay) json["at_goal"] = to_string(rules.at_goal);
     for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);

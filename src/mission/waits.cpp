@@ -1,8 +1,10 @@
 #include "mission/waits.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/timeline.hpp"
@@ -47,6 +49,8 @@ struct Disc {
 class Causes {
   public:
     Causes(const Map& map, const Mission& mission, const Plan& plan) : map_(map), mission_(mission), plan_(plan) {
+        for (const Breach& breach : plan.breaches) removed_.push_back(breach.obstacle);
+        for (const TimedOpening& opening : mission.rules.opened) removed_.push_back(opening.obstacle);
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air || !mission.rules.collisions) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
@@ -123,6 +127,12 @@ class Causes {
             const auto touched = first_touch(map_, opening.obstacle, run.path, standing_radius(driver.body));
             if (touched) add({whenever, opening.at - *touched}, WaitReason::opening, opening.obstacle, "");
         }
+        // Its last moments are for the rubble of what it enters next.
+        double rubble_from = whole.until;
+        for (const ObstacleId obstacle : entered_on(agent, whole, run)) {
+            add({rubble_from - mission_.rules.rubble, rubble_from}, WaitReason::rubble, obstacle, "");
+            rubble_from -= mission_.rules.rubble;
+        }
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
             const double reach = driver.body.reach() + disc.radius + mission_.rules.separation -
@@ -133,6 +143,24 @@ class Causes {
             }
         }
         return found;
+    }
+
+    // What it has not entered before and touches on the first move of a run, the last one first.
+    std::vector<ObstacleId> entered_on(std::size_t agent, const Wait& whole, const Run& run) const {
+        if (mission_.rules.rubble == 0) return {};
+        const double radius = standing_radius(mission_.agents[agent].body);
+        std::vector<std::pair<double, ObstacleId>> entered;
+        for (const ObstacleId obstacle : removed_) {
+            const std::span<const Waypoint> move = std::span(run.path).first(2);
+            const auto touched = first_touch(map_, obstacle, move, radius);
+            const auto first = first_touch(map_, obstacle, plan_.agents[agent].path, radius);
+            if (touched && first && *first >= whole.until - rounding_at(whole.until))
+                entered.emplace_back(*touched, obstacle);
+        }
+        std::ranges::sort(entered, std::greater{});
+        std::vector<ObstacleId> obstacles;
+        for (const auto& [time, obstacle] : entered) obstacles.push_back(obstacle);
+        return obstacles;
     }
 
     // Of one ground and one air agent the plan does not say who breaches.
@@ -212,6 +240,7 @@ class Causes {
     const Map& map_;
     const Mission& mission_;
     const Plan& plan_;
+    std::vector<ObstacleId> removed_;
     std::vector<Disc> discs_;
 };
 

@@ -87,6 +87,11 @@ void validate(const Map& map, const Rules& rules) {
                          "the number of removals cannot be negative");
     require_range(rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
     require_range(rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
+    require_range(rules.rubble, 0, most_breach_time, "the time that rubble takes");
+    if (rules.rubble > 0 && rules.timing == Timing::ignore) {
+        throw InputError(ErrorCode::contradiction, "rubble",
+                         "rubble takes time only where obstacles stand in time (timing: enforce)");
+    }
     const std::size_t obstacles = map.obstacles().size();
     const auto require_known = [&](ObstacleId id, const std::string& purpose) {
         if (id && id.value <= obstacles) return;
@@ -282,6 +287,11 @@ void validate(const Map& map, const Mission& mission) {
         validate_place(OpenedMap(map, open_by(mission.rules, agent.ready_at)), agent, agent.start, "start");
         validate_place(OpenedMap(map, open_by(mission.rules, most_breach_time)), agent, agent.goal, "goal");
         validate_beginning(map, agent);
+    }
+    if (mission.rules.rubble > 0 && mission.clears()) {
+        throw InputError(ErrorCode::contradiction, "rubble",
+                         "missions in which vehicles breach for others have no rubble yet: leave it out, or make "
+                         "breaches last longer");
     }
     if (mission.is_team()) validate_team(mission);
     validate_zones(map, mission);

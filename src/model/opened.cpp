@@ -16,8 +16,9 @@ OpenedByThemselves::OpenedByThemselves(const Map& map, const Mission& mission) :
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) first_move = std::min(first_move, agent.ready_at);
     }
+    // Rubble is left of what opens however early.
     const auto never_stands = [&](const TimedOpening& opening) {
-        return rules.timing == Timing::ignore || opening.at <= first_move;
+        return rules.timing == Timing::ignore || (opening.at <= first_move && rules.rubble == 0);
     };
     std::vector<MapEdit> edits;
     for (const TimedOpening& opening : rules.opened) {

@@ -73,31 +73,19 @@ bool has_search_words(const Method& method) {
 
 // What `field` says, over what was there.
 OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
-    field.allow({"paper",
-                 "removals",
-                 "select",
-                 "flight",
-                 "timing",
-                 "objective",
-                 "breach_time",
-                 "breach_time_per_cell",
-                 "protect",
-                 "force",
-                 "budget",
-                 "budget_m2",
-                 "weights",
-                 "bound",
-                 "explain",
-                 "time_limit",
-                 "gap",
-                 "planner",
-                 "heuristic",
-                 "weight",
-                 "tie_break",
-                 "corners",
-                 "radius",
-                 "moves",
-                 "minimise_demolition"});
+    field.allow({"paper",       "removals",
+                 "select",      "flight",
+                 "timing",      "objective",
+                 "breach_time", "breach_time_per_cell",
+                 "rubble",      "protect",
+                 "force",       "budget",
+                 "budget_m2",   "weights",
+                 "bound",       "explain",
+                 "time_limit",  "gap",
+                 "planner",     "heuristic",
+                 "weight",      "tie_break",
+                 "corners",     "radius",
+                 "moves",       "minimise_demolition"});
     if (const auto removals = field.find("removals")) {
         result.asked.mission.rules.removals = int(removals->whole_number(0, most_removals));
         result.removals_given = true;

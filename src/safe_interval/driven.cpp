@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker::safe_interval {
@@ -12,25 +14,44 @@ double opened_for(const Map& map, Cell from, Cell to, double duration, const Saf
     const std::array<Waypoint, 2> path{{{double(from.x), double(from.y), 0}, {double(to.x), double(to.y), duration}}};
     for (const TimedOpening& opening : options.openings) {
         const auto touched = first_touch(map, opening.obstacle, path, standing_radius(options.body));
-        if (touched) earliest = std::max(earliest, opening.at - *touched);
+        if (touched) earliest = std::max(earliest, opening.at + options.rubble - *touched);
     }
     return earliest;
 }
 
-std::vector<Waypoint> driven(const Map& map, std::span<const Cell> way, const SafeIntervalOptions& options) {
-    const Cell start = way.front();
-    std::vector<Waypoint> path{{double(start.x), double(start.y), options.since}};
+double rubble_before(const OpenedMap& map, Cell from, Cell to, const SafeIntervalOptions& options) {
+    if (options.rubble == 0) return 0;
+    const Waypoint start{double(from.x), double(from.y), 0};
+    const std::array<Waypoint, 2> still{start, start};
+    const std::array<Waypoint, 2> move{start, {double(to.x), double(to.y), 1}};
+    const double radius = standing_radius(options.body);
+    const auto enters = [&](ObstacleId obstacle) {
+        return first_touch(map.map(), obstacle, move, radius) && !first_touch(map.map(), obstacle, still, radius);
+    };
+    return options.rubble * double(std::ranges::count_if(map.removed(), enters));
+}
+
+std::vector<Waypoint> driven(const OpenedMap& map, std::span<const Cell> way, const SafeIntervalOptions& options) {
+    std::vector<Cell> turns;
+    std::ranges::unique_copy(way, std::back_inserter(turns));
+    std::vector<std::size_t> touched(turns.size(), 0);
+    if (options.rubble > 0) {
+        const std::vector<Point> places(turns.begin(), turns.end());
+        touched = rubble_on(map.map(), timed(places, 1), options.body, map.removed());
+    }
+    std::vector<Waypoint> path{{double(turns[0].x), double(turns[0].y), options.since}};
     double time = options.ready_at;
-    if (time > options.since) path.push_back({path[0].x, path[0].y, time});
-    for (std::size_t i = 1; i < way.size(); ++i) {
-        if (way[i] == way[i - 1]) continue;
-        const double duration = distance(way[i - 1], way[i]) / options.speed;
-        if (const double opened = opened_for(map, way[i - 1], way[i], duration, options); opened > time) {
-            time = opened;
-            path.push_back({path.back().x, path.back().y, time});
-        }
+    const auto stand_until = [&](double until) {
+        time = until;
+        if (time > path.back().t) path.push_back({path.back().x, path.back().y, time});
+    };
+    stand_until(time);
+    for (std::size_t i = 1; i < turns.size(); ++i) {
+        const double duration = distance(turns[i - 1], turns[i]) / options.speed;
+        const double opened = opened_for(map.map(), turns[i - 1], turns[i], duration, options);
+        stand_until(std::max(time + options.rubble * double(touched[i - 1]), opened));
         time += duration;
-        path.push_back({double(way[i].x), double(way[i].y), time});
+        path.push_back({double(turns[i].x), double(turns[i].y), time});
     }
     return path;
 }

@@ -189,7 +189,8 @@ void SafeIntervalSearcher::Search::relax(std::uint32_t by, std::uint32_t to) {
     const double latest = std::min({from.to, node.to - duration, node.arrival - duration});
     const double earliest = std::max(from.arrival, node.from - duration);
     if (earliest > latest || earliest + duration >= node.arrival || !sees(from.cell, node.cell)) return;
-    const double opened = std::max(earliest, opened_for(from.cell, node.cell, duration));
+    const double ready = from.arrival + safe_interval::rubble_before(*map_, from.cell, node.cell, *options_);
+    const double opened = std::max({earliest, ready, opened_for(from.cell, node.cell, duration)});
     const double departure = safe_departure(move_between(from.cell, node.cell, options_->speed), opened, latest);
     const double arrival = std::max(departure + duration, node.from);
     if (departure > latest || arrival >= node.arrival) return;

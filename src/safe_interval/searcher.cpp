@@ -21,6 +21,7 @@ void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goa
     validate(options.body);
     require_range(options.speed, least_speed, most_speed, "the speed");
     require_range(options.ready_at, 0, most_breach_time, "the time at which the agent is ready");
+    require_range(options.rubble, 0, most_breach_time, "the time that rubble takes");
     require_range(options.since, 0, options.ready_at, "the time at which the agent is at its start");
     if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
     if (safe_interval::index_of(traffic).width() != map.width() ||
@@ -58,7 +59,7 @@ SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const
     std::vector<Cell> way;
     result.status = find_way(way);
     if (result.status != SearchStatus::found) return result;
-    std::vector<Waypoint> straight_on = safe_interval::driven(map.map(), way, options);
+    std::vector<Waypoint> straight_on = safe_interval::driven(map, way, options);
     const double earliest = straight_on.back().t;
     if (meets_nobody(straight_on)) {
         result.status = earliest < options.arrive_before ? SearchStatus::found : SearchStatus::no_path;

@@ -135,8 +135,9 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     const auto [tour, proven] = best_tour(course, deadline);
     std::vector<Breaching> breachings;
     for (const Stop& stop : tour) breachings.push_back(course.breaching(stop.target));
-    Schedule schedule = timetable(task, flight_of(course.start(), tour, course.goal(), course.targets(), course.air()),
-                                  breachings, course.given());
+    Schedule schedule =
+        timetable(task, course.driven(), flight_of(course.start(), tour, course.goal(), course.targets(), course.air()),
+                  breachings, course.given());
     schedule.optimal = proven;
     return schedule;
 }

@@ -22,7 +22,7 @@ Precedence Needs::precedence(std::vector<const Agent*> aircraft) const {
 }
 
 Needs Needs::only(std::uint32_t subset) const {
-    Needs some{{}, {}, unhindered, across, given, held};
+    Needs some{{}, {}, unhindered, across, driven, given, held};
     for (std::size_t target = 0; target < targets.size(); ++target) {
         if ((subset >> target & 1U) == 0) continue;
         some.targets.push_back(targets[target]);
@@ -32,16 +32,17 @@ Needs Needs::only(std::uint32_t subset) const {
 }
 
 Needs needs_of(const Map& map, const ScheduleTask& task) {
-    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     Needs needs{targets_of(map, to_breach(task.rules, task.removed), task.flyer.airspace, task.flyer.begin()),
                 {},
-                driven.back().t,
+                0,
                 distance(Cell{}, Cell{map.width(), map.height()})};
-    needs.given = given_of(map, task, driven);
+    needs.driven = drive_through(map, task);
+    needs.unhindered = needs.driven.back().t;
+    needs.given = given_of(map, task, needs.driven);
     for (const Due& due : needs.given) needs.held = std::max(needs.held, due.opens - due.needed_by);
     needs.unhindered += needs.held;
     for (const Target& target : needs.targets) {
-        needs.breachings.push_back(breaching_of(map, task, driven, target.obstacle));
+        needs.breachings.push_back(breaching_of(map, task, needs.driven, target.obstacle));
     }
     return needs;
 }

@@ -3,7 +3,7 @@
 //
 // With r the ground agent's release time, v its speed, L the path's length and s the place on the path where it first
 // touches an obstacle, it finishes at max(r + L / v, cleared_at + (L - s) / v over all obstacles): it waits for the
-// worst of them and no longer.
+// worst of them and no longer. Rubble makes L and s longer.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,7 @@ struct Needs {
     std::vector<Breaching> breachings;  // as the targets
     double unhindered = 0;              // when the ground agent finishes if it waits for none of them
     double across = 0;                  // the map's diagonal, cells
+    std::vector<Waypoint> driven = {};  // the path in time, with stops for rubble only
     std::vector<Due> given = {};        // what opens by itself
     double held = 0;                    // how long the ground agent waits for that
 
@@ -52,6 +53,7 @@ class Course {
     double lateness(std::size_t target, double cleared_at) const {
         return cleared_at - breaching(target).needed_by - needs_.held;
     }
+    std::span<const Waypoint> driven() const { return needs_.driven; }
     std::span<const Due> given() const { return needs_.given; }
 
     Finish finish(const Tour& tour) const { return precedence_.finish(std::span(&tour, 1)); }

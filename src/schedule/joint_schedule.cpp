@@ -175,8 +175,8 @@ class SeveralAircraft {
             const Returns home = returns_of(agent, schedule.air.back());
             schedule.home = {std::max(schedule.home.last, home.last), schedule.home.sum + home.sum};
         }
-        TimedDrive driven =
-            drive_in_time(first_, needs_.breachings, cleared, needs_.given, 1e-9 * (1 + schedule.home.last));
+        TimedDrive driven = drive_in_time(needs_.driven, first_.rules, needs_.breachings, cleared, needs_.given,
+                                          1e-9 * (1 + schedule.home.last));
         schedule.ground = std::move(driven.path);
         for (TimedBreach& breach : schedule.breaches) {
             const auto is_it = [&](const Target& target) { return target.obstacle == breach.obstacle; };
@@ -204,7 +204,7 @@ JointSchedule driven_alone(const Map& map, const JointTask& task) {
                              .removed = task.removed};
     const Needs needs = needs_of(map, alone);
     JointSchedule schedule;
-    schedule.ground = drive_in_time(alone, {}, {}, needs.given, 1e-9 * (1 + needs.unhindered)).path;
+    schedule.ground = drive_in_time(needs.driven, alone.rules, {}, {}, needs.given, 1e-9 * (1 + needs.unhindered)).path;
     return schedule;
 }
 

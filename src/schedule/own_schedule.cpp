@@ -17,7 +17,7 @@ struct OwnStop {
     ObstacleId obstacle;
     bool is_breached = false;
     double opens = 0;  // by itself
-    double stay = 0;   // until it is breached
+    double stay = 0;   // until it is breached; then its rubble
 };
 
 // The cell in which the agent stands: at the border of two, the one outside of the obstacle.
@@ -75,6 +75,8 @@ JointSchedule own_schedule(const Map& map, const Agent& driver, const Rules& rul
             const double gone = std::max(begun + stop->stay, stop->opens);
             delay += gone - begun;
             reach(at, gone);
+            delay += rules.rubble;
+            reach(at, gone + rules.rubble);
             if (!stop->is_breached) continue;
             schedule.breaches.push_back({stop->obstacle, 0, standing_cell(map, at, stop->obstacle), begun, gone});
         }

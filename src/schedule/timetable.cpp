@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/range.hpp"
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 #include "schedule/tour_times.hpp"
 #include "waybreaker/error.hpp"
@@ -19,7 +20,15 @@ void validate(const ScheduleTask& task) {
     require_range(task.flyer.speed, least_speed, most_speed, "the air agent's speed");
     require_range(task.driver.ready_at, 0, most_breach_time, "the time at which the ground agent is ready");
     require_range(task.rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
+    require_range(task.rules.rubble, 0, most_breach_time, "the time that rubble takes");
     require_range(task.rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
+}
+
+std::vector<Waypoint> drive_through(const Map& map, const ScheduleTask& task) {
+    std::vector<ObstacleId> open = to_breach(task.rules, task.removed);
+    for (const TimedOpening& opening : task.rules.opened) open.push_back(opening.obstacle);
+    return timed_through(map, task.ground_path, task.driver.body, task.driver.speed, task.driver.ready_at,
+                         {open, task.rules.rubble});
 }
 
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven,
@@ -30,7 +39,7 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     const double radius = standing_radius(task.driver.body);
     const auto needed_by =
         radius == task.driver.body.reach() ? breaching.touched : first_touch(map, obstacle, driven, radius);
-    if (needed_by) breaching.needed_by = *needed_by;
+    if (needed_by) breaching.needed_by = *needed_by - task.rules.rubble;
     return breaching;
 }
 
@@ -39,7 +48,8 @@ std::vector<Due> given_of(const Map& map, const ScheduleTask& task, std::span<co
     if (task.rules.timing == Timing::ignore) return given;
     for (const TimedOpening& opening : task.rules.opened) {
         const auto needed_by = first_touch(map, opening.obstacle, driven, standing_radius(task.driver.body));
-        if (needed_by && *needed_by < opening.at) given.push_back({*needed_by, opening.at});
+        if (needed_by && *needed_by - task.rules.rubble < opening.at)
+            given.push_back({*needed_by - task.rules.rubble, opening.at});
     }
     return given;
 }
@@ -52,11 +62,10 @@ std::vector<ObstacleId> to_breach(const Rules& rules, std::span<const ObstacleId
     return rest;
 }
 
-TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
+TimedDrive drive_in_time(std::span<const Waypoint> turns, const Rules& rules, std::span<const Breaching> breachings,
                          std::span<const double> cleared, std::span<const Due> given, double rounding) {
     TimedDrive driven;
     // How long it is delayed from each turn on.
-    const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     const auto turn_before = [&](double entry) {
         const auto after = std::ranges::upper_bound(turns, entry, {}, &Waypoint::t);
         return std::size_t(after - turns.begin()) - 1;
@@ -84,13 +93,13 @@ TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> br
         std::optional<double>& entered = driven.entered_at.emplace_back(breachings[i].touched);
         if (!entered) continue;
         *entered += delays[turn_before(*entered)];
-        if (task.rules.timing == Timing::enforce) entered = std::max(*entered, cleared[i]);
+        if (rules.timing == Timing::enforce) entered = std::max(*entered, cleared[i]);
     }
     return driven;
 }
 
-Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings,
-                   std::span<const Due> given) {
+Schedule timetable(const ScheduleTask& task, std::span<const Waypoint> driven, const Flight& flight,
+                   std::span<const Breaching> breachings, std::span<const Due> given) {
     assert(!task.ground_path.empty() && breachings.size() == flight.breaches.size());
     Schedule schedule;
     schedule.flight = flight;
@@ -101,9 +110,9 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     schedule.air = flown(task.flyer, tour, stay);
     fly(task.flyer, tour, stay, [&](const Stop&, double, double cleared) { schedule.cleared_at.push_back(cleared); });
     const double rounding = 1e-9 * (1 + schedule.air.back().t);
-    TimedDrive driven = drive_in_time(task, breachings, schedule.cleared_at, given, rounding);
-    schedule.ground = std::move(driven.path);
-    schedule.entered_at = std::move(driven.entered_at);
+    TimedDrive in_time = drive_in_time(driven, task.rules, breachings, schedule.cleared_at, given, rounding);
+    schedule.ground = std::move(in_time.path);
+    schedule.entered_at = std::move(in_time.entered_at);
 
     schedule.makespan = std::max(schedule.ground.back().t, schedule.air.back().t);
     schedule.flowtime = schedule.ground.back().t + schedule.air.back().t;
@@ -112,12 +121,12 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
 
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight) {
     validate(task);
-    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
+    const std::vector<Waypoint> driven = drive_through(map, task);
     std::vector<Breaching> breachings;
     for (const BreachPoint& breach : flight.breaches) {
         breachings.push_back(breaching_of(map, task, driven, breach.obstacle));
     }
-    return timetable(task, flight, breachings, given_of(map, task, driven));
+    return timetable(task, driven, flight, breachings, given_of(map, task, driven));
 }
 
 }  // namespace waybreaker

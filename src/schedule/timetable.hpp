@@ -9,17 +9,19 @@
 
 namespace waybreaker {
 
-// An obstacle as the timetable sees it. Times are those of a ground agent that never waits.
+// An obstacle as the timetable sees it. Times are those of a ground agent that stops for nothing but rubble.
 struct Breaching {
     std::optional<double> touched;  // when the ground agent first touches the obstacle
-    double needed_by = 0;           // when it must be gone; infinity: any time
+    double needed_by = 0;           // when it must be gone, so long before as its rubble takes; infinity: any time
     double stay = 0;                // how long the air agent stays until it is gone
 };
 
 // Throws InputError if speeds or breach times are out of range.
 void validate(const ScheduleTask& task);
 
-// `driven` is the ground path without waits.
+// The ground path in time, with stops for rubble only.
+std::vector<Waypoint> drive_through(const Map& map, const ScheduleTask& task);
+// `driven`: that.
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven, ObstacleId obstacle);
 
 // An obstacle that opens by itself (Rules::opened), in the way of a ground agent that comes to it then.
@@ -37,13 +39,13 @@ struct TimedDrive {
     std::vector<Waypoint> path;                     // with waits: a point twice
     std::vector<std::optional<double>> entered_at;  // as the breachings: when it first touches each obstacle
 };
-// It waits for each obstacle at the last turn before it touches it. `cleared`: as the breachings; a delay is one that
-// is longer than `rounding`.
-TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
+// It waits for each obstacle at the last turn before it touches it. `driven`: as above. `cleared`: as the breachings; a
+// delay is one that is longer than `rounding`.
+TimedDrive drive_in_time(std::span<const Waypoint> driven, const Rules& rules, std::span<const Breaching> breachings,
                          std::span<const double> cleared, std::span<const Due> given, double rounding);
 
-// `breachings` as flight.breaches.
-Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings,
-                   std::span<const Due> given);
+// `driven`: as above. `breachings` as flight.breaches.
+Schedule timetable(const ScheduleTask& task, std::span<const Waypoint> driven, const Flight& flight,
+                   std::span<const Breaching> breachings, std::span<const Due> given);
 
 }  // namespace waybreaker

@@ -108,9 +108,10 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     crossing.budget = task.spare_budget();
     crossing.length_limit = costliest_path(task, objective, opening_times);
     crossing.limits = limits_of(task, seconds);
-    crossing.prices = task.prices;
     if (opening_times.matter()) {
         crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
+    } else {
+        crossing.prices = task.prices;
     }
     return crossing;
 }
@@ -150,7 +151,8 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, at_once);
     std::vector<double> prices{0};  // by id, from 1
     for (const Obstacle& obstacle : task.map.obstacles()) {
-        prices.push_back(share * task.rules.breach_time.of(obstacle) * task.driver.speed);
+        const double breach = share * task.rules.breach_time.of(obstacle);
+        prices.push_back((breach + task.rules.rubble) * task.driver.speed);
     }
     if (std::ranges::max(prices) == 0) return {};
     options.prices = prices;
@@ -171,7 +173,15 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
         OpeningTimes at_once = OpeningTimes::at_once(task);
         return prove_bound(task, crossing, reached, deadline, at_once, proven, expected, expansions);
     }
+    if (opening_times.matter() && task.rules.rubble > 0) {
+        // A search in time knows the rubble of one obstacle only; one at once, of all that are crossed.
+        OpeningTimes at_once = OpeningTimes::at_once(task);
+        const Bound priced = prove_by_search(task, crossing, reached, deadline, at_once, proven, expected, expansions);
+        if (task.worth(reached) <= priced.objective) return priced;
+        proven = std::max(proven, priced.objective);
+    }
     Bound bound = prove_by_search(task, crossing, reached, deadline, opening_times, proven, expected, expansions);
+    bound.objective = std::max(bound.objective, proven);
     bound.objective = raised_through_centres(task, bound.objective, reached, opening_times);
     return bound;
 }

@@ -20,7 +20,7 @@ constexpr double near_bound = 1 + 1e-6;
 // Whether the ground agent stands somewhere before its goal.
 bool waits(const Task& task, const Candidate& candidate) {
     if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
-    const double driven = task.arrival(*candidate.opening.ground.length);
+    const double driven = task.arrival(cells_driven(task.trip(), candidate.opening));
     return candidate.schedule.arrival() > driven * (1 + rounding);
 }
 
@@ -33,7 +33,8 @@ std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
     std::vector<Cell> path;
     for (const Point p : candidate.opening.ground.path) path.push_back(cell_of(p));
     const OpenedMap opened(task.map, candidate.opening.removed);
-    const std::vector<Cell> bent = punctual(opened, task.driver, std::move(path), std::move(openings)).path;
+    const std::vector<Cell> bent =
+        punctual(opened, task.driver, std::move(path), std::move(openings), task.rules.rubble).path;
     return {bent.begin(), bent.end()};
 }
 
@@ -94,11 +95,11 @@ class PathsInTime {
             for (const TimedBreach& breach : schedule.breaches) {
                 const bool is_one_of_them = std::ranges::find(obstacles, breach.obstacle) != obstacles.end();
                 // What the path does without is breached whenever it suits the flight: that says nothing yet.
-                if (is_one_of_them && breach.entered_at) last = std::max(last, breach.cleared_at);
+                if (is_one_of_them && breach.entered_at) last = std::max(last, breach.cleared_at + task_.rules.rubble);
             }
             for (const TimedOpening& opening : task_.rules.opened) {
                 const bool is_one_of_them = std::ranges::find(obstacles, opening.obstacle) != obstacles.end();
-                if (is_one_of_them) last = std::max(last, opening.at);
+                if (is_one_of_them) last = std::max(last, opening.at + task_.rules.rubble);
             }
             return task_.cells_until(last);
         };
@@ -158,9 +159,9 @@ Candidate evaluated(const Task& task, const Searchers& searchers, OpeningTimes& 
     const bool is_known = found != nullptr && !opening_times.matter();
     Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, costliest)
                                 : open(task.trip(), searchers, removed, costliest);
-    const std::optional<double> length = shortest.ground.length;
+    const double cells = cells_driven(task.trip(), shortest);
     Candidate start = candidate_of(task, std::move(shortest));
-    const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;
+    const bool promises = least_objective(task, cells, opening_times) < cutoff.reached;
     if (!promises || task.opens_own_way() || !drives_by_crossing(task) || task.driver.body.is_point()) return start;
     PathsInTime paths(task, searchers, opening_times, removed, cutoff);
     Candidate best = start;

@@ -18,7 +18,10 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
             // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
             OpeningTimes at_once = OpeningTimes::at_once(task);
             const Deadline soon = deadline.share(tuning::share_at_once);
-            if (ExactSelection(task, searchers_, start, at_once, soon, evaluation, selected).prove_at_once()) return;
+            ExactSelection of_all_open(task, searchers_, start, at_once, soon, evaluation, selected);
+            if (of_all_open.prove_at_once()) return;
+            // Which obstacles are worth their rubble, a search in time does not know.
+            if (task.rules.rubble > 0) of_all_open.select();
         }
         ExactSelection(task, searchers_, start, opening_times, deadline, evaluation, selected).run();
     };

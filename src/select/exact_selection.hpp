@@ -32,6 +32,8 @@ class ExactSelection {
     void run();
     // The set that is best if nobody waits. Whether it is proven to be the best with waits.
     bool prove_at_once();
+    // What may be better than the best, once a bound is proven.
+    void select();
 
   private:
     // With fewer removals than `more`: sets that are better than `reached`.
@@ -40,7 +42,6 @@ class ExactSelection {
     // The bound of the relaxed body, and the proposers that make its proof short, in that share of the time.
     void prove(double share);
     void prove_relaxed(double share, double expected, std::uint64_t expansions);
-    void select();
     void propose_sets();
     void propose_simple_sets();
     void propose_likely_sets();

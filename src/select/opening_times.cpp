@@ -31,7 +31,8 @@ OpeningTimes OpeningTimes::at_once(const Task& task) {
 }
 
 double OpeningTimes::cells(std::span<const ObstacleId> obstacles) {
-    return task_.cells_until(earliest_.of(obstacles).open);
+    const double rubble = obstacles.empty() ? 0 : task_.rules.rubble;
+    return task_.cells_until(earliest_.of(obstacles).open + rubble);
 }
 
 double OpeningTimes::flight_cells(std::span<const ObstacleId> obstacles) {

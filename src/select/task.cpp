@@ -21,7 +21,8 @@ std::vector<ObstacleId> given_by(const Rules& rules) {
 std::vector<double> prices_of(const Map& map, const Agent& driver, const Rules& rules) {
     std::vector<double> prices{0};
     for (const Obstacle& obstacle : map.obstacles()) {
-        prices.push_back(rules.breach_time.of(obstacle) * driver.speed);
+        const double breach = driver.own_breaches > 0 ? rules.breach_time.of(obstacle) : 0;
+        prices.push_back((breach + rules.rubble) * driver.speed);
     }
     return prices;
 }
@@ -55,7 +56,7 @@ Task task_of(const Map& map, const Mission& mission, const Method& method, const
     const Agent& driver = mission.first(AgentKind::ground);
     Task task{map, driver, std::move(aircraft), mission.rules, method, limits, Deadline(limits.seconds), {}};
     task.given = given_by(mission.rules);
-    if (task.opens_own_way()) task.prices = prices_of(map, driver, mission.rules);
+    if (task.opens_own_way() || mission.rules.rubble > 0) task.prices = prices_of(map, driver, mission.rules);
     task.least_flight = least_flight_of(task);
     return task;
 }

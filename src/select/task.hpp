@@ -31,14 +31,16 @@ struct Task {
     bool reports = true;  // its progress
     // What is removed in every plan: what must be, and what opens by itself.
     std::vector<ObstacleId> given = {};
-    // What the driver could drive while it breaches each obstacle itself, by id, in cells; empty if it does not.
+    // What the driver could drive while it breaches each obstacle itself, and gets through its rubble, by id, in cells;
+    // empty if it does neither.
     std::vector<double> prices = {};
 
     // The planner that drives the ground agent.
     Algorithm planner() const { return planner_of(method, driver.body); }
     // The ground agent on its way.
     Trip trip() const {
-        return {map, driver, search_options(method, driver.body), deadline, limits.expansions, limits.stop};
+        return {map,         driver,      search_options(method, driver.body), deadline, limits.expansions,
+                limits.stop, rules.rubble};
     }
     // When a ground path and the flights end, as the objective counts it.
     double objective(double ground_time, const Returns& home) const;

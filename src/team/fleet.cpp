@@ -106,6 +106,7 @@ SafeIntervalOptions driving(const Ground& ground, const Vehicle& vehicle) {
     options.ready_at = vehicle.agent.ready_at;
     if (!vehicle.agent.approach.empty()) options.since = options.ready_at;
     options.openings = ground.openings;
+    options.rubble = ground.rubble;
     options.known = vehicle.way;
     return options;
 }
@@ -151,6 +152,7 @@ void Fleet::put(std::uint32_t i, const Path& path) {
 }
 
 void Fleet::skip_standstill() {
+    if (ground_.rubble > 0) return;  // for which somebody may stand
     // Time from which all may leave, and all is open.
     double settled = 0;
     for (const Vehicle& vehicle : vehicles_) settled = std::max(settled, vehicle.agent.ready_at);
@@ -176,7 +178,7 @@ void Fleet::skip_standstill() {
 
 std::vector<std::uint32_t> Fleet::in_its_way(std::uint32_t i) const {
     const SafeIntervalOptions options = options_for(i);
-    const Path path = safe_interval::driven(ground_.map.map(), options.known, options);
+    const Path path = safe_interval::driven(ground_.map, options.known, options);
     std::vector<std::uint32_t> met = safe_interval::index_of(traffic_).met(path, options.body.reach(), options.stays);
     std::erase(met, i);
     return met;

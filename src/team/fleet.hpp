@@ -25,12 +25,6 @@ bool better(const Cost& a, const Cost& b);
 // An empty path is that of a vehicle without one.
 Cost cost_of(std::span<const Vehicle> vehicles, std::span<const Path> paths, Objective objective);
 
-// A map with obstacles removed, and when those of them that stand at first are gone.
-struct Ground {
-    OpenedMap map;
-    std::vector<TimedOpening> openings = {};
-};
-
 // How a vehicle drives, nobody else being there.
 SafeIntervalOptions driving(const Ground& ground, const Vehicle& vehicle);
 // The path of an agent from when it is ready, and how it gets there.

@@ -33,7 +33,7 @@ Path timed(std::span<const Cell> cells, const Agent& agent) {
 
 bool move_in_lockstep(const Ground& ground, std::span<const Vehicle> vehicles, const Rules& rules,
                       const Interrupts& interrupts, Fleet& fleet) {
-    if (!ground.openings.empty() || !are_alike(vehicles)) return false;
+    if (!ground.openings.empty() || ground.rubble > 0 || !are_alike(vehicles)) return false;
     std::vector<lockstep::Trip> trips;
     for (const Vehicle& vehicle : vehicles) trips.push_back({vehicle.agent.start, vehicle.agent.goal});
     const Agent& any = vehicles.front().agent;

@@ -78,7 +78,7 @@ Path alone_on_its_way(const Ground& ground, const Vehicle& vehicle, const Rules&
     const SafeIntervalOptions options = driving(ground, vehicle);
     const double last = rules.unreached.value_or(std::numeric_limits<double>::infinity());
     if (!vehicle.way.empty() && vehicle.way.back() == agent.goal) {
-        Path path = safe_interval::driven(ground.map.map(), vehicle.way, options);
+        Path path = safe_interval::driven(ground.map, vehicle.way, options);
         if (path.back().t <= last) return path;
     }
     const Waypoint start{double(agent.start.x), double(agent.start.y), options.since};
@@ -107,12 +107,12 @@ double objective_alone(std::span<const Vehicle> vehicles, Objective objective) {
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved) {
     TeamPlan plan;
-    Ground ground{map};
+    Ground ground{map, {}, mission.rules.rubble};
     if (mission.rules.timing == Timing::enforce) ground.openings = mission.rules.opened;
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;
         plan.vehicles.emplace_back().agent = agent;
-        plan.status = go_alone(map, ground.openings, interrupts, crossing, theta, plan.vehicles.back());
+        plan.status = go_alone(ground, interrupts, crossing, theta, plan.vehicles.back());
         count_unreached(mission.rules, plan.vehicles.back());
         const bool may_stay = plan.status == SearchStatus::no_path && mission.rules.unreached;
         if (plan.status != SearchStatus::found && !may_stay) return plan;

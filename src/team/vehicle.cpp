@@ -29,19 +29,20 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
 }
 
 // Takes the best of its way and of those around what it would wait for longest, then around that and the next, and so
-// on. `removed`: all that opens sooner or later.
-void go_around_late(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
-                    std::vector<ObstacleId> removed, const SafeIntervalOptions& driving, Vehicle& vehicle) {
+// on.
+void go_around_late(const Trip& trip, const Ground& ground, const Searchers& searchers,
+                    const SafeIntervalOptions& driving, Vehicle& vehicle) {
+    std::vector<ObstacleId> removed(ground.map.removed().begin(), ground.map.removed().end());
     std::vector<Cell> way = vehicle.way;
     while (!way.empty() && !trip.deadline.passed()) {
         const std::vector<Point> path(way.begin(), way.end());
-        const auto late = most_waited_for(trip.map, trip.driver, path, openings);
+        const auto late = most_waited_for(trip.map, trip.driver, path, ground.openings);
         // A path may graze what stands already.
         if (!late || std::erase(removed, *late) == 0) return;
         const Opening around = open(trip, searchers, removed);
         way = cells_of(around.ground.path);
         if (around.status != SearchStatus::found) return;
-        const double arrival = safe_interval::driven(trip.map, way, driving).back().t;
+        const double arrival = safe_interval::driven(ground.map, way, driving).back().t;
         if (arrival >= vehicle.alone) continue;
         vehicle.alone = arrival;
         vehicle.way = way;
@@ -63,7 +64,8 @@ std::vector<Cell> way_in_time(const Trip& trip, std::span<const TimedOpening> op
     options.opened_after = [&](std::span<const ObstacleId> crossed) {
         double last = 0;
         for (const TimedOpening& opening : openings) {
-            if (std::ranges::count(crossed, opening.obstacle) > 0) last = std::max(last, opening.at - agent.ready_at);
+            if (std::ranges::count(crossed, opening.obstacle) > 0)
+                last = std::max(last, opening.at + trip.rubble - agent.ready_at);
         }
         return last * agent.speed;
     };
@@ -74,17 +76,16 @@ std::vector<Cell> way_in_time(const Trip& trip, std::span<const TimedOpening> op
 }
 
 // Bends where it would have to wait, and goes where it need not. `earliest`: when it would arrive if all were open.
-void be_punctual(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
-                 const std::vector<ObstacleId>& removed, double earliest, const SafeIntervalOptions& driving,
-                 Vehicle& vehicle) {
+void be_punctual(const Trip& trip, const Ground& ground, const Searchers& searchers, double earliest,
+                 const SafeIntervalOptions& driving, Vehicle& vehicle) {
+    const std::vector<ObstacleId> removed(ground.map.removed().begin(), ground.map.removed().end());
     const bool is_late = vehicle.alone > earliest * (1 + rounding);
     if (!is_late || !drives_by_crossing(vehicle.agent.body) || removed.size() > tuning::most_openings_in_time) return;
-    const OpenedMap opened(trip.map, removed);
-    const std::vector<Cell> in_time = way_in_time(trip, openings, searchers, removed, vehicle);
+    const std::vector<Cell> in_time = way_in_time(trip, ground.openings, searchers, removed, vehicle);
     for (const std::vector<Cell>& way : {vehicle.way, in_time}) {
         if (way.empty()) continue;
-        const std::vector<Cell> bent = punctual(opened, vehicle.agent, way, {openings.begin(), openings.end()}).path;
-        const double arrival = safe_interval::driven(trip.map, bent, driving).back().t;
+        const std::vector<Cell> bent = punctual(ground.map, vehicle.agent, way, ground.openings, trip.rubble).path;
+        const double arrival = safe_interval::driven(ground.map, bent, driving).back().t;
         if (arrival >= vehicle.alone) continue;
         vehicle.alone = arrival;
         vehicle.way = bent;
@@ -101,14 +102,15 @@ bool is_wide(const Body& body) {
     return drives_by_crossing(body) && body.reach() > 0.5;
 }
 
-Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts) {
+Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts, double rubble) {
     const Algorithm planner = drives_by_crossing(agent.body) ? Algorithm::optimal : Algorithm::theta;
     return {map,
             agent,
             {.planner = planner, .body = agent.body},
             interrupts.deadline,
             interrupts.expansions,
-            interrupts.stop};
+            interrupts.stop,
+            rubble};
 }
 
 std::vector<Cell> cells_of(std::span<const Point> path) {
@@ -124,13 +126,12 @@ void count_unreached(const Rules& rules, Vehicle& vehicle) {
     vehicle.bound = never ? *rules.unreached : std::min(vehicle.bound, *rules.unreached);
 }
 
-SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,
-                      CrossingSearcher& crossing, Searcher& theta, Vehicle& vehicle) {
+SearchStatus go_alone(const Ground& ground, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
+                      Vehicle& vehicle) {
     const Stopwatch watch;
     const Agent& agent = vehicle.agent;
-    const Trip trip = trip_of(map.map(), agent, interrupts);
-    const std::vector<ObstacleId> removed(map.removed().begin(), map.removed().end());
-    const Opening way = open(trip, {theta, crossing}, removed);
+    const Trip trip = trip_of(ground.map.map(), agent, interrupts, ground.rubble);
+    const Opening way = open(trip, {theta, crossing}, {ground.map.removed().begin(), ground.map.removed().end()});
     vehicle.way = cells_of(way.ground.path);
     vehicle.expanded = way.ground.expanded;
     vehicle.generated = way.ground.generated;
@@ -141,13 +142,14 @@ SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openin
     driving.body = agent.body;
     driving.speed = agent.speed;
     driving.ready_at = agent.ready_at;
-    driving.openings = openings;
-    vehicle.alone = safe_interval::driven(map.map(), vehicle.way, driving).back().t;
-    go_around_late(trip, openings, {theta, crossing}, removed, driving, vehicle);
-    const double earliest = agent.ready_at + way.ground.length.value_or(0) / agent.speed;
-    be_punctual(trip, openings, {theta, crossing}, removed, earliest, driving, vehicle);
+    driving.openings = ground.openings;
+    driving.rubble = ground.rubble;
+    vehicle.alone = safe_interval::driven(ground.map, vehicle.way, driving).back().t;
+    go_around_late(trip, ground, {theta, crossing}, driving, vehicle);
+    const double earliest = agent.ready_at + cells_driven(trip, way) / agent.speed;
+    be_punctual(trip, ground, {theta, crossing}, earliest, driving, vehicle);
     const double least =
-        std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
+        std::min(lower_bound(ground.map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;
     vehicle.seconds = watch.seconds();
     return way.status;

@@ -12,6 +12,13 @@
 
 namespace waybreaker::team {
 
+// A map with obstacles removed, and when those of them that stand at first are gone.
+struct Ground {
+    OpenedMap map;
+    std::vector<TimedOpening> openings = {};
+    double rubble = 0;  // Rules::rubble
+};
+
 struct Vehicle {
     Agent agent;
     std::vector<Cell> way;  // the shortest that was found for it alone
@@ -47,7 +54,7 @@ bool drives_by_crossing(const Body& body);
 bool is_wide(const Body& body);
 
 // The agent on its way, as in a mission of its own: by the crossing search if that drives it, else by Theta*.
-Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts);
+Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts, double rubble);
 
 // The cells of a path that bends at centres.
 std::vector<Cell> cells_of(std::span<const Point> path);
@@ -57,7 +64,7 @@ void count_unreached(const Rules& rules, Vehicle& vehicle);
 
 // Its shortest way, as in a mission of its own; or the earliest one found, where obstacles of those removed open late.
 // `found`: the vehicle is complete. Anything else is why it is not.
-SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,
-                      CrossingSearcher& crossing, Searcher& theta, Vehicle& vehicle);
+SearchStatus go_alone(const Ground& ground, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
+                      Vehicle& vehicle);
 
 }  // namespace waybreaker::team

@@ -68,6 +68,7 @@ struct SafeIntervalOptions {
     double ready_at = 0;                          // stands there until then; arrives no earlier
     bool stays = true;                            // for ever at its goal: nobody else may come by later
     std::span<const TimedOpening> openings = {};  // in units of time
+    double rubble = 0;                            // of each obstacle that the opened map is without (Rules::rubble)
     // A way from start to goal known beforehand, its turning points, legal for the body; found by Theta* where there is
     // none. Ways near it are tried first. Where an obstacle on it opens late, it is waited for at the last turn before.
     std::span<const Cell> known = {};

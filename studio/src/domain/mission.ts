@@ -31,6 +31,7 @@ export interface Mission {
   objective: Objective;
   breachTime: number;
   breachTimePerCell: number;
+  rubble: number; // what a vehicle takes longer for each opening
   separation: number; // cells that the vehicles of a team keep between them
   atGoal: AtGoal;
   collisions: boolean; // or vehicles get past each other anywhere
@@ -53,6 +54,7 @@ export const defaults = {
   objective: "makespan",
   breachTime: 0,
   breachTimePerCell: 0,
+  rubble: 0,
   separation: 0,
   atGoal: "stay",
   collisions: true,

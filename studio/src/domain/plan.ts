@@ -16,6 +16,7 @@ export interface PlanOptions {
   objective?: Objective;
   breach_time?: number;
   breach_time_per_cell?: number;
+  rubble?: number;
   protect?: number[];
   force?: number[];
   explain?: boolean;
@@ -144,7 +145,7 @@ export interface ExplainedWait {
   at: Point;
   from: number;
   until: number;
-  reason: "nothing" | "readiness" | "opening" | "agent";
+  reason: "nothing" | "readiness" | "opening" | "agent" | "rubble";
   obstacle?: number; // that is opened
   agent?: string; // who opens it, or is let past
 }

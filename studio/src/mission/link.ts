@@ -27,6 +27,7 @@ const layerNames: LayerName[] = ["before", "after", "paper"];
 const numbers = [
   ["breach_time", "breachTime", 0, 1e6],
   ["breach_time_per_cell", "breachTimePerCell", 0, 1e6],
+  ["rubble", "rubble", 0, 1e6],
   ["separation", "separation", 0, 32],
   ["unreached", "unreached", 0, 1e9],
   ["price", "price", 0, 1e6],

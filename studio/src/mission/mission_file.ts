@@ -55,6 +55,7 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
       force: ids("force"),
       breach_time: mission.breachTime,
       breach_time_per_cell: mission.breachTimePerCell,
+      ...(mission.rubble !== 0 && { rubble: mission.rubble }),
       ...only(said, alsoNames.rules),
       objective: mission.objective,
       ...meetingRules(mission),
@@ -153,7 +154,7 @@ const usualRemovals = 3; // of the command
 
 // What links and rules call alike.
 const inRules = ["objective", "separation", "at_goal", "collisions"];
-const timesInRules = ["breach_time", "breach_time_per_cell", "unreached"];
+const timesInRules = ["breach_time", "breach_time_per_cell", "rubble", "unreached"];
 
 // Those of all vehicles; null where they differ.
 function cornersOf(agents: readonly Partial<AgentDocument>[]): string | null {

@@ -42,6 +42,7 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
     objective: options.objective ?? defaults.objective,
     breachTime: scaled(options.breach_time ?? 0, scale.seconds),
     breachTimePerCell: scaled(options.breach_time_per_cell ?? 0, scale.seconds),
+    rubble: scaled(options.rubble ?? 0, scale.seconds),
     separation: Number(rules.separation ?? defaults.separation),
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
     collisions: rules.collisions !== false,

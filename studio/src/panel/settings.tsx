@@ -10,7 +10,7 @@ import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
 import { VehicleSize } from "./vehicle_size";
 
-type NumberMember = "breachTime" | "breachTimePerCell";
+type NumberMember = "breachTime" | "breachTimePerCell" | "rubble";
 
 export function Settings({ studio }: { studio: Studio }) {
   const mission = studio.page.mission.value;
@@ -68,6 +68,7 @@ export function Settings({ studio }: { studio: Studio }) {
           {...time}
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
+        <NumberField label="Through one’s rubble" unit={metric ? "s" : "steps"} {...time} {...number("rubble")} />
         {two && (
           <VehicleSize
             label="Ground robot’s width"

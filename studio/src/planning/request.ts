@@ -39,6 +39,7 @@ export function questionOf(
     objective: mission.objective,
     breach_time: mission.breachTime,
     breach_time_per_cell: mission.breachTimePerCell,
+    ...(mission.rubble !== 0 && { rubble: mission.rubble }),
   };
   const [protect, force] = [[...ids("protect"), ...rules.map(filterText)], ids("force")];
   if (protect.length > 0) options.protect = protect;

@@ -79,6 +79,7 @@ export function randomMission(random: Random): Mission {
     objective: random.oneOf(["makespan", "ground-makespan", "flowtime"] as const),
     breachTime: random.oneOf([0, 12.5]),
     breachTimePerCell: random.oneOf([0, 0.0144]),
+    rubble: random.oneOf([0, 12.5]),
     separation: collisions ? random.oneOf([0, 0.25]) : 0,
     collisions,
     unreached,
