@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "clearing/standing_place.hpp"
+#include "model/rubble.hpp"
 
 namespace waybreaker::clearing {
 namespace {
@@ -36,7 +37,7 @@ const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, 
     Agent driver = vehicle;
     driver.start = from;
     driver.goal = *place;
-    const Trip trip{map_, driver, search_options(method_, body), deadline_};
+    const Trip trip{map_, driver, search_options(method_, body), deadline_, UINT64_MAX, {}, rules_.rubble};
     known->second = {*place, waybreaker::open(trip, searchers_, std::move(open)).ground.path};
     return known->second;
 }
@@ -61,6 +62,7 @@ std::optional<ClearingDrive> ClearingDrives::drive(const Agent& vehicle, const T
             if (opening.at <= time) open.push_back(opening.obstacle);
         }
         std::ranges::sort(open);
+        const std::vector<ObstacleId> passed = open;
         std::optional<Point> next;
         if (one->place == Place::onward) {
             const bool is_last = one + 1 == tour.end();
@@ -68,7 +70,10 @@ std::optional<ClearingDrive> ClearingDrives::drive(const Agent& vehicle, const T
         }
         const Leg& taken = leg(vehicle, at, one->obstacle, next, std::move(open));
         if (taken.path.empty()) return std::nullopt;
+        const std::vector<double> stands = stands_on(map_, taken.path, vehicle.body, {passed, rules_.rubble});
         for (std::size_t i = 1; i < taken.path.size(); ++i) {
+            time += stands[i - 1];
+            add(taken.path[i - 1], time);
             time += distance(taken.path[i - 1], taken.path[i]) / vehicle.speed;
             add(taken.path[i], time);
         }

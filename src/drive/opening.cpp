@@ -154,10 +154,9 @@ Opening open_through_rubble(const Trip& trip, const Searchers& searchers, std::v
 double cells_driven(const Trip& trip, const Opening& opening) {
     const double length = opening.ground.length.value_or(infinity);
     if (trip.rubble == 0 || !opening.ground.length) return length;
-    const std::vector<std::size_t> touched =
-        rubble_on(trip.map, timed(opening.ground.path, 1), trip.driver.body, opening.removed);
-    const auto all = std::accumulate(touched.begin(), touched.end(), std::size_t{0});
-    return length + double(all) * trip.rubble * trip.driver.speed;
+    const std::vector<double> stands =
+        stands_on(trip.map, opening.ground.path, trip.driver.body, {opening.removed, trip.rubble});
+    return length + std::accumulate(stands.begin(), stands.end(), 0.0) * trip.driver.speed;
 }
 
 SearchOptions Trip::by_cells() const {

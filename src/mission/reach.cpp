@@ -23,16 +23,27 @@ using Openings = std::vector<TimedOpening>;
 // Hears the search from one hub, nearest cells first, with all of these openings made sooner or later.
 class Arrivals : public SearchListener {
   public:
-    Arrivals(const Map& map, const Agent& driver, bool inbound, const Openings& openings, std::vector<float>& times)
-        : map_(map), driver_(driver), inbound_(inbound), openings_(openings), times_(times), held_(times.size()) {}
+    Arrivals(const Map& map, const Agent& driver, bool inbound, const Openings& openings, double rubble,
+             std::vector<float>& times)
+        : map_(map),
+          driver_(driver),
+          inbound_(inbound),
+          openings_(openings),
+          rubble_(rubble),
+          times_(times),
+          held_(times.size()),
+          stood_(times.size()) {}
 
     void generated(Cell, Cell, double, double) override {}
     void updated(Cell, Cell, double, double) override {}
     void expanded(Cell cell, Cell parent, double g, double /*f*/) override {
         double& held = held_[index(cell)];
+        double& stood = stood_[index(cell)];
         held = cell == parent ? 0 : held_[index(parent)];
+        stood = cell == parent ? 0 : stood_[index(parent)];
+        for (const TimedOpening& opening : openings_) stood += stands_for(opening, cell, parent);
         for (const TimedOpening& opening : openings_) held = std::max(held, held_by(opening, cell, parent, g));
-        const double driven = driver_.ready_at + g / driver_.speed;
+        const double driven = driver_.ready_at + g / driver_.speed + stood;
         float& time = times_[index(cell)];
         time = std::min(time, float(inbound_ ? std::max(driven, held) : driven + held));
     }
@@ -40,25 +51,43 @@ class Arrivals : public SearchListener {
   private:
     std::size_t index(Cell c) const { return std::size_t(c.y) * std::size_t(map_.width()) + std::size_t(c.x); }
 
+    // Between the cell and its parent, in the direction that is driven.
+    std::array<Waypoint, 2> move_between(Cell cell, Cell parent) const {
+        const Cell from = inbound_ ? cell : parent;
+        const Cell to = inbound_ ? parent : cell;
+        return {{{double(from.x), double(from.y), 0}, {double(to.x), double(to.y), distance(cell, parent)}}};
+    }
+
+    // How long the rubble of an obstacle takes that is entered there.
+    double stands_for(const TimedOpening& opening, Cell cell, Cell parent) const {
+        if (rubble_ == 0) return 0;
+        const std::array<Waypoint, 2> move = move_between(cell, parent);
+        const std::array<Waypoint, 2> still{move[0], move[0]};
+        const double radius = standing_radius(driver_.body);
+        const bool enters =
+            first_touch(map_, opening.obstacle, move, radius) && !first_touch(map_, opening.obstacle, still, radius);
+        return enters ? rubble_ : 0;
+    }
+
     // What an obstacle between the cell and its parent means: outbound, how long one waits for it; inbound, when one is
     // at the hub at the earliest, having waited.
     double held_by(const TimedOpening& opening, Cell cell, Cell parent, double g) const {
-        const double length = distance(cell, parent);
-        const Cell from = inbound_ ? cell : parent;
-        const Cell to = inbound_ ? parent : cell;
-        const std::array<Waypoint, 2> move{{{double(from.x), double(from.y), 0}, {double(to.x), double(to.y), length}}};
+        const std::array<Waypoint, 2> move = move_between(cell, parent);
         const auto touched = first_touch(map_, opening.obstacle, move, standing_radius(driver_.body));
         if (!touched) return 0;
-        if (inbound_) return opening.at + (g - *touched) / driver_.speed;
-        return opening.at - (driver_.ready_at + (g - length + *touched) / driver_.speed);
+        const double stood = stood_[index(parent)];
+        if (inbound_) return opening.at + rubble_ + (g - *touched) / driver_.speed + stood;
+        return opening.at - (driver_.ready_at + (g - move[1].t + *touched) / driver_.speed + stood);
     }
 
     const Map& map_;
     const Agent& driver_;
     bool inbound_;
     const Openings& openings_;
+    double rubble_;
     std::vector<float>& times_;
-    std::vector<double> held_;
+    std::vector<double> held_;   // by waits for openings
+    std::vector<double> stood_;  // for rubble
 };
 
 // Those that are worth looking at, of openings in the order of their times.
@@ -80,12 +109,14 @@ std::vector<Openings> sets_of(const Openings& all) {
     return sets;
 }
 
-std::vector<float> times(const Map& map, const Agent& driver, const Reach& reach, Openings openings, Timing timing) {
+std::vector<float> times(const Map& map, const Agent& driver, const Reach& reach, Openings openings,
+                         const Rules& rules) {
     std::vector<float> times(std::size_t(map.width()) * std::size_t(map.height()),
                              std::numeric_limits<float>::infinity());
     std::ranges::stable_sort(openings, {}, &TimedOpening::at);
-    const auto later = std::ranges::find_if(
-        openings, [&](const TimedOpening& opening) { return timing == Timing::enforce && opening.at > 0; });
+    const auto later = std::ranges::find_if(openings, [&](const TimedOpening& opening) {
+        return rules.rubble > 0 || (rules.timing == Timing::enforce && opening.at > 0);
+    });
     std::vector<ObstacleId> open;
     for (auto one = openings.begin(); one != later; ++one) open.push_back(one->obstacle);
     Searcher searcher;
@@ -94,7 +125,7 @@ std::vector<float> times(const Map& map, const Agent& driver, const Reach& reach
         for (const TimedOpening& opening : set) gone.push_back(opening.obstacle);
         const OpenedMap opened(map, gone);
         for (const Cell hub : reach.hubs) {
-            Arrivals arrivals(map, driver, reach.inbound, set, times);
+            Arrivals arrivals(map, driver, reach.inbound, set, rules.rubble, times);
             searcher.explore(opened, hub, {.body = driver.body, .listener = &arrivals});
         }
     }
@@ -127,9 +158,9 @@ std::optional<Reach> reach_of(const Map& given, const Mission& asked, const Plan
     const InZones zoned(given, asked);
     const Rules& rules = asked.rules;
     Openings openings = rules.opened;
-    reach.before = times(zoned.map(), driver, reach, openings, rules.timing);
+    reach.before = times(zoned.map(), driver, reach, openings, rules);
     for (const Breach& breach : plan.breaches) openings.push_back({breach.obstacle, breach.cleared_at});
-    reach.after = times(zoned.map(), driver, reach, std::move(openings), rules.timing);
+    reach.after = times(zoned.map(), driver, reach, std::move(openings), rules);
     return reach;
 }
 

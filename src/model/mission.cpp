@@ -288,11 +288,6 @@ void validate(const Map& map, const Mission& mission) {
         validate_place(OpenedMap(map, open_by(mission.rules, most_breach_time)), agent, agent.goal, "goal");
         validate_beginning(map, agent);
     }
-    if (mission.rules.rubble > 0 && mission.clears()) {
-        throw InputError(ErrorCode::contradiction, "rubble",
-                         "missions in which vehicles breach for others have no rubble yet: leave it out, or make "
-                         "breaches last longer");
-    }
     if (mission.is_team()) validate_team(mission);
     validate_zones(map, mission);
     validate_flights(map, mission);

@@ -6,29 +6,29 @@
 
 namespace waybreaker {
 
-std::vector<std::size_t> rubble_on(const Map& map, std::span<const Waypoint> path, const Body& body,
-                                   std::span<const ObstacleId> obstacles) {
-    std::vector<std::size_t> touched(path.size(), 0);
-    const std::array<Waypoint, 2> start{path.front(), path.front()};
+std::vector<double> stands_on(const Map& map, std::span<const Point> path, const Body& body, const Rubble& rubble) {
+    std::vector<double> stands(path.size(), 0);
+    if (rubble.time == 0 || rubble.obstacles.empty()) return stands;
+    const std::vector<Waypoint> driven = timed(path, 1);
+    const std::array<Waypoint, 2> start{driven.front(), driven.front()};
     const double radius = standing_radius(body);
-    for (const ObstacleId obstacle : obstacles) {
-        const auto touch = first_touch_on(map, obstacle, path, radius);
-        if (touch && !first_touch_on(map, obstacle, start, radius)) ++touched[touch->move];
+    for (const ObstacleId obstacle : rubble.obstacles) {
+        const auto touch = first_touch_on(map, obstacle, driven, radius);
+        if (touch && !first_touch_on(map, obstacle, start, radius)) stands[touch->move] += rubble.time;
     }
-    return touched;
+    return stands;
 }
 
 std::vector<Waypoint> timed_through(const Map& map, std::span<const Point> path, const Body& body, double speed,
                                     double from, const Rubble& rubble) {
-    std::vector<Waypoint> driven = timed(path, speed, from);
-    if (rubble.time == 0 || rubble.obstacles.empty()) return driven;
-    const std::vector<std::size_t> touched = rubble_on(map, driven, body, rubble.obstacles);
+    const std::vector<double> stands = stands_on(map, path, body, rubble);
+    const std::vector<Waypoint> driven = timed(path, speed, from);
     std::vector<Waypoint> stopped;
     double delay = 0;
     for (std::size_t i = 0; i < driven.size(); ++i) {
         stopped.push_back({driven[i].x, driven[i].y, driven[i].t + delay});
-        if (touched[i] == 0) continue;
-        delay += double(touched[i]) * rubble.time;
+        if (stands[i] == 0) continue;
+        delay += stands[i];
         stopped.push_back({driven[i].x, driven[i].y, driven[i].t + delay});
     }
     return stopped;

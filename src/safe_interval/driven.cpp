@@ -34,11 +34,8 @@ double rubble_before(const OpenedMap& map, Cell from, Cell to, const SafeInterva
 std::vector<Waypoint> driven(const OpenedMap& map, std::span<const Cell> way, const SafeIntervalOptions& options) {
     std::vector<Cell> turns;
     std::ranges::unique_copy(way, std::back_inserter(turns));
-    std::vector<std::size_t> touched(turns.size(), 0);
-    if (options.rubble > 0) {
-        const std::vector<Point> places(turns.begin(), turns.end());
-        touched = rubble_on(map.map(), timed(places, 1), options.body, map.removed());
-    }
+    const std::vector<double> stands = stands_on(map.map(), std::vector<Point>(turns.begin(), turns.end()),
+                                                 options.body, {map.removed(), options.rubble});
     std::vector<Waypoint> path{{double(turns[0].x), double(turns[0].y), options.since}};
     double time = options.ready_at;
     const auto stand_until = [&](double until) {
@@ -49,7 +46,7 @@ std::vector<Waypoint> driven(const OpenedMap& map, std::span<const Cell> way, co
     for (std::size_t i = 1; i < turns.size(); ++i) {
         const double duration = distance(turns[i - 1], turns[i]) / options.speed;
         const double opened = opened_for(map.map(), turns[i - 1], turns[i], duration, options);
-        stand_until(std::max(time + options.rubble * double(touched[i - 1]), opened));
+        stand_until(std::max(time + stands[i - 1], opened));
         time += duration;
         path.push_back({double(turns[i].x), double(turns[i].y), time});
     }

@@ -57,6 +57,7 @@ World any_world(int side) {
     rules.removals = *number(0, 3);
     rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     rules.breach_time = {*rc::gen::element(0.0, 1.0, 4.0), *rc::gen::element(0.0, 0.0, 0.25)};
+    if (*number(0, 3) == 0) rules.rubble = *rc::gen::element(0.5, 2.0);
     if (!world.map.obstacles().empty()) {
         if (*number(0, 3) == 0) rules.opened = {{{1}, *rc::gen::element(0.0, 2.0, 9.0)}};
         if (*number(0, 3) == 0) rules.protect = {world.map.obstacles().back().id};

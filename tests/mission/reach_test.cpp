@@ -69,6 +69,21 @@ TEST(Reach, CountsTheWaitBeforeAWayToTheHub) {
     EXPECT_FLOAT_EQ(early.at(unhindered->after, {6, 0}), 6);
 }
 
+TEST(Reach, StandsForRubbleAfterTheOpening) {
+    for (const bool inbound : {false, true}) {
+        Opened world("S..a..G", inbound, {{'a', 10}});
+        world.mission.rules.rubble = 5;
+        const auto reach = reach_of(world.map, world.mission, world.plan);
+        EXPECT_FLOAT_EQ(world.at(reach->after, {2, 0}), 2);
+        EXPECT_FLOAT_EQ(world.at(reach->after, {4, 0}), inbound ? 19 : 17);
+        EXPECT_FLOAT_EQ(world.at(reach->after, {6, 0}), 19);
+        Opened early("S..a..G", inbound, {{'a', 0}});
+        early.mission.rules.rubble = 5;
+        const auto unhindered = reach_of(early.map, early.mission, early.plan);
+        EXPECT_FLOAT_EQ(early.at(unhindered->after, {6, 0}), 11);
+    }
+}
+
 TEST(Reach, GoesRoundWhatOpensLateRatherThanWait) {
     const Opened world(R"(
         .....c...
