@@ -83,7 +83,7 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
 }
 
 std::string waits(const Plan& plan, const io::PlanContext& context) {
-    const bool explained = context.asked.method.explain;
+    const bool explained = context.asked.method.explain || context.asked.mission.rules.rubble > 0;
     double all = 0;
     std::vector<std::string> lines;
     for (const Itinerary& agent : plan.agents) {

@@ -11,7 +11,8 @@ namespace waybreaker::apps {
 // Each agent of a team, and all together: if each were alone, and as planned.
 std::string team_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style);
 
-// Where ground agents wait, and how long; of an explained plan also for what. Empty if none does.
+// Where ground agents wait, and how long; of an explained plan, and where there is rubble, also for what. Empty if none
+// does.
 std::string waits(const Plan& plan, const io::PlanContext& context);
 
 }  // namespace waybreaker::apps

@@ -2,6 +2,7 @@
 // the last turn before, and for each obstacle anew; and does not enter earlier than so long after the opening.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "check/judge.hpp"
 
@@ -14,15 +15,19 @@ struct Turn {
     double stood = 0;  // not counting what it does before it is ready, and what is taken up by rubble already
 };
 
-std::vector<Turn> turns_of(const Itinerary& ground, double ready_at) {
+// Of an agent that is under way nobody knows how long it has stood already where it begins.
+std::vector<Turn> turns_of(const Itinerary& ground, const Agent& asked) {
+    const bool is_under_way = !asked.approach.empty();
     std::vector<Turn> turns;
     const Waypoint* last = nullptr;
     for (const Waypoint& point : ground.path) {
         const bool is_new = last == nullptr || point.x != last->x || point.y != last->y;
         if (is_new) turns.push_back({point.t, 0});
-        turns.back().stood = std::max(point.t - std::max(turns.back().arrival, ready_at), 0.0);
+        const double since = is_under_way ? turns.back().arrival : std::max(turns.back().arrival, asked.ready_at);
+        turns.back().stood = std::max(point.t - since, 0.0);
         last = &point;
     }
+    if (is_under_way) turns.front().stood = std::numeric_limits<double>::infinity();
     return turns;
 }
 
@@ -63,11 +68,13 @@ Violations judge_rubble(const Map& map, const Plan& plan, const Itinerary& groun
     std::stable_sort(entered.begin(), entered.end(),
                      [](const Contact& a, const Contact& b) { return a.time < b.time; });
     const std::vector<double> standing = standing_until(map, plan, terms);
-    std::vector<Turn> turns = turns_of(ground, asked.ready_at);
+    std::vector<Turn> turns = turns_of(ground, asked);
     for (const Contact& entry : entered) {
         const double opens = standing[entry.obstacle.value];
-        if (!std::isfinite(opens)) continue;  // what is met there is another rule's
         const double hair = 2 * slack(terms, entry.time);
+        if (!std::isfinite(opens)) continue;  // what is met there is another rule's
+        // It has stood for that before it was under way.
+        if (!asked.approach.empty() && entry.time <= asked.ready_at + hair) continue;
         const auto report = [&](const std::string& what) {
             found.push_back({Rule::rubble, "the " + ground.id + " agent " + what + " " + text(entry.obstacle),
                              ground.id, entry.obstacle, entry.place, entry.time});

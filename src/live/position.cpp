@@ -13,11 +13,12 @@ Point place(const Waypoint& p) {
     return {p.x, p.y};
 }
 
-// Whether it stays there for as long as a breach takes.
+// Whether it stays there for as long as a breach takes, or rubble.
 bool works_until(const Itinerary& agent, std::size_t point) {
     if (agent.kind == AgentKind::air) return true;
     return std::ranges::any_of(agent.waits, [&](const Wait& wait) {
-        return wait.agent == agent.id && std::abs(wait.until - agent.path[point].t) <= near_enough;
+        const bool works = wait.agent == agent.id || wait.reason == WaitReason::rubble;
+        return works && std::abs(wait.until - agent.path[point].t) <= near_enough;
     });
 }
 

@@ -277,8 +277,6 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     if (!mission.rules.collisions)
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
-    if (mission.rules.rubble > 0)
-        throw InputError(ErrorCode::contradiction, "rubble", "a mission with rubble cannot be planned anew on its way");
     validate_polygons(mission.rules.zones);
     Mission in_airspace = mission;
     set_airspaces(map, in_airspace);

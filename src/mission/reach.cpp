@@ -7,6 +7,7 @@
 #include <span>
 
 #include "model/in_zones.hpp"
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 #include "waybreaker/advanced/search.hpp"
 
@@ -62,10 +63,8 @@ class Arrivals : public SearchListener {
     double stands_for(const TimedOpening& opening, Cell cell, Cell parent) const {
         if (rubble_ == 0) return 0;
         const std::array<Waypoint, 2> move = move_between(cell, parent);
-        const std::array<Waypoint, 2> still{move[0], move[0]};
-        const double radius = standing_radius(driver_.body);
-        const bool enters =
-            first_touch(map_, opening.obstacle, move, radius) && !first_touch(map_, opening.obstacle, still, radius);
+        const bool enters = first_touch(map_, opening.obstacle, move, standing_radius(driver_.body)) &&
+                            !stands_in(map_, opening.obstacle, Point(move[0].x, move[0].y), driver_.body);
         return enters ? rubble_ : 0;
     }
 

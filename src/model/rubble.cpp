@@ -6,15 +6,18 @@
 
 namespace waybreaker {
 
+bool stands_in(const Map& map, ObstacleId obstacle, Point at, const Body& body) {
+    const std::array<Waypoint, 2> still{{{at.x, at.y, 0}, {at.x, at.y, 1}}};
+    return first_touch(map, obstacle, still, standing_radius(body)).has_value();
+}
+
 std::vector<double> stands_on(const Map& map, std::span<const Point> path, const Body& body, const Rubble& rubble) {
     std::vector<double> stands(path.size(), 0);
     if (rubble.time == 0 || rubble.obstacles.empty()) return stands;
     const std::vector<Waypoint> driven = timed(path, 1);
-    const std::array<Waypoint, 2> start{driven.front(), driven.front()};
-    const double radius = standing_radius(body);
     for (const ObstacleId obstacle : rubble.obstacles) {
-        const auto touch = first_touch_on(map, obstacle, driven, radius);
-        if (touch && !first_touch_on(map, obstacle, start, radius)) stands[touch->move] += rubble.time;
+        const auto touch = first_touch_on(map, obstacle, driven, standing_radius(body));
+        if (touch && !stands_in(map, obstacle, path.front(), body)) stands[touch->move] += rubble.time;
     }
     return stands;
 }

@@ -15,6 +15,9 @@ struct Rubble {
     double time = 0;                             // for each; 0: there is none
 };
 
+// Whether the body reaches into the obstacle there.
+bool stands_in(const Map& map, ObstacleId obstacle, Point at, const Body& body);
+
 // How long an agent stands at each point of a path: for the rubble of what it first touches on the move from there to
 // the next one, unless it is in it from the start.
 std::vector<double> stands_on(const Map& map, std::span<const Point> path, const Body& body, const Rubble& rubble);

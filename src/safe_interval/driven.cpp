@@ -21,12 +21,10 @@ double opened_for(const Map& map, Cell from, Cell to, double duration, const Saf
 
 double rubble_before(const OpenedMap& map, Cell from, Cell to, const SafeIntervalOptions& options) {
     if (options.rubble == 0) return 0;
-    const Waypoint start{double(from.x), double(from.y), 0};
-    const std::array<Waypoint, 2> still{start, start};
-    const std::array<Waypoint, 2> move{start, {double(to.x), double(to.y), 1}};
-    const double radius = standing_radius(options.body);
+    const std::array<Waypoint, 2> move{{{double(from.x), double(from.y), 0}, {double(to.x), double(to.y), 1}}};
     const auto enters = [&](ObstacleId obstacle) {
-        return first_touch(map.map(), obstacle, move, radius) && !first_touch(map.map(), obstacle, still, radius);
+        return first_touch(map.map(), obstacle, move, standing_radius(options.body)) &&
+               !stands_in(map.map(), obstacle, from, options.body);
     };
     return options.rubble * double(std::ranges::count_if(map.removed(), enters));
 }

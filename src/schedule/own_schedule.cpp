@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "model/rubble.hpp"
 #include "model/timeline.hpp"
 #include "schedule/timetable.hpp"
 
@@ -17,7 +18,8 @@ struct OwnStop {
     ObstacleId obstacle;
     bool is_breached = false;
     double opens = 0;  // by itself
-    double stay = 0;   // until it is breached; then its rubble
+    double stay = 0;   // until it is breached
+    double rubble = 0;
 };
 
 // The cell in which the agent stands: at the border of two, the one outside of the obstacle.
@@ -38,16 +40,22 @@ Cell standing_cell(const Map& map, Point at, ObstacleId obstacle) {
 
 std::vector<OwnStop> stops_on(const Map& map, const Agent& driver, const Rules& rules, std::span<const Waypoint> driven,
                               std::span<const ObstacleId> removed) {
-    const double radius = standing_radius(driver.body);
     std::vector<OwnStop> stops;
-    for (const ObstacleId obstacle : to_breach(rules, removed)) {
-        const auto touch = first_touch_on(map, obstacle, driven, radius);
-        if (touch) stops.push_back({*touch, obstacle, true, 0, rules.breach_time.of(map.obstacle(obstacle))});
-    }
-    for (const TimedOpening& opening : rules.opened) {
-        const auto touch = first_touch_on(map, opening.obstacle, driven, radius);
-        if (touch) stops.push_back({*touch, opening.obstacle, false, opening.at, 0});
-    }
+    const auto add = [&](OwnStop stop) {
+        const auto touch = first_touch_on(map, stop.obstacle, driven, standing_radius(driver.body));
+        if (!touch) return;
+        stop.touch = *touch;
+        const Point start(driven.front().x, driven.front().y);
+        if (rules.rubble > 0 && !stands_in(map, stop.obstacle, start, driver.body)) stop.rubble = rules.rubble;
+        stops.push_back(stop);
+    };
+    for (const ObstacleId obstacle : to_breach(rules, removed))
+        add({.touch = {},
+             .obstacle = obstacle,
+             .is_breached = true,
+             .stay = rules.breach_time.of(map.obstacle(obstacle))});
+    for (const TimedOpening& opening : rules.opened)
+        add({.touch = {}, .obstacle = opening.obstacle, .opens = opening.at});
     std::ranges::stable_sort(stops, {}, [](const OwnStop& stop) { return stop.touch.time; });
     return stops;
 }
@@ -75,8 +83,8 @@ JointSchedule own_schedule(const Map& map, const Agent& driver, const Rules& rul
             const double gone = std::max(begun + stop->stay, stop->opens);
             delay += gone - begun;
             reach(at, gone);
-            delay += rules.rubble;
-            reach(at, gone + rules.rubble);
+            delay += stop->rubble;
+            reach(at, gone + stop->rubble);
             if (!stop->is_breached) continue;
             schedule.breaches.push_back({stop->obstacle, 0, standing_cell(map, at, stop->obstacle), begun, gone});
         }

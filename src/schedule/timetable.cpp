@@ -13,6 +13,15 @@
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
+namespace {
+
+// How long the obstacle must have been gone when the ground agent enters it.
+double rubble_of(const Map& map, const ScheduleTask& task, ObstacleId obstacle) {
+    const bool is_left = task.rules.rubble > 0 && !stands_in(map, obstacle, task.ground_path.front(), task.driver.body);
+    return is_left ? task.rules.rubble : 0;
+}
+
+}  // namespace
 
 void validate(const ScheduleTask& task) {
     if (task.ground_path.empty()) throw InputError("the ground agent's path has no points");
@@ -39,7 +48,7 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     const double radius = standing_radius(task.driver.body);
     const auto needed_by =
         radius == task.driver.body.reach() ? breaching.touched : first_touch(map, obstacle, driven, radius);
-    if (needed_by) breaching.needed_by = *needed_by - task.rules.rubble;
+    if (needed_by) breaching.needed_by = *needed_by - rubble_of(map, task, obstacle);
     return breaching;
 }
 
@@ -48,8 +57,8 @@ std::vector<Due> given_of(const Map& map, const ScheduleTask& task, std::span<co
     if (task.rules.timing == Timing::ignore) return given;
     for (const TimedOpening& opening : task.rules.opened) {
         const auto needed_by = first_touch(map, opening.obstacle, driven, standing_radius(task.driver.body));
-        if (needed_by && *needed_by - task.rules.rubble < opening.at)
-            given.push_back({*needed_by - task.rules.rubble, opening.at});
+        const double rubble = rubble_of(map, task, opening.obstacle);
+        if (needed_by && *needed_by - rubble < opening.at) given.push_back({*needed_by - rubble, opening.at});
     }
     return given;
 }
@@ -68,7 +77,8 @@ TimedDrive drive_in_time(std::span<const Waypoint> turns, const Rules& rules, st
     // How long it is delayed from each turn on.
     const auto turn_before = [&](double entry) {
         const auto after = std::ranges::upper_bound(turns, entry, {}, &Waypoint::t);
-        return std::size_t(after - turns.begin()) - 1;
+        // What is needed at once may be needed a hair before.
+        return after == turns.begin() ? std::size_t{0} : std::size_t(after - turns.begin()) - 1;
     };
     std::vector<double> delays(turns.size(), 0);
     for (std::size_t i = 0; i < breachings.size(); ++i) {

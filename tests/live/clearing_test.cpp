@@ -13,7 +13,7 @@ namespace waybreaker {
 namespace {
 
 Underway any_clearing_underway() {
-    Underway drawn = any_clearing(12, 1);
+    Underway drawn = any_clearing(12, 1, Left::perhaps_rubble);
     double last = 0;
     for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
     drawn.state.sequence = 1;

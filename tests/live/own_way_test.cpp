@@ -13,7 +13,7 @@ namespace waybreaker {
 namespace {
 
 Underway any_underway_alone() {
-    Underway drawn = any_own_way(14, 1);
+    Underway drawn = any_own_way(14, 1, Left::perhaps_rubble);
     drawn.state.sequence = 1;
     drawn.state.now = drawn.plan.agents.front().path.back().t * *number(0, 100) / 100;
     return drawn;

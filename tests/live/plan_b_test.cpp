@@ -52,6 +52,7 @@ Underway any_of_two() {
     rules.removals = *number(1, 2);
     rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     rules.breach_time.per_obstacle = *rc::gen::element(0.0, 2.5, 8.0);
+    rules.rubble = *rc::gen::element(0.0, 0.0, 1.5);
     drawn.plan = Planner().plan(drawn.map, drawn.mission);
     RC_PRE(drawn.plan.status == PlanStatus::solved);
     RC_PRE(!drawn.plan.breaches.empty());

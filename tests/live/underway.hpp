@@ -40,6 +40,13 @@ inline Mission any_mission(const PlainMap& plain, int most_vehicles, int most_re
     return mission;
 }
 
+// Whether what is removed leaves rubble.
+enum class Left { nothing, perhaps_rubble };
+
+inline void leave(Left left, Mission& mission) {
+    if (left == Left::perhaps_rubble) mission.rules.rubble = *rc::gen::element(0.0, 0.0, 0.0, 1.5, 4.0);
+}
+
 struct Underway {
     Map map;
     Mission mission;
@@ -82,11 +89,13 @@ inline void give_batteries(Mission& mission) {
 }
 
 // One that has a plan, before it begins.
-inline Underway any_planned(int side, int most_vehicles, int most_retries, bool zoned = false, bool batteries = false) {
+inline Underway any_planned(int side, int most_vehicles, int most_retries, bool zoned = false, bool batteries = false,
+                            Left left = Left::nothing) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, most_vehicles, most_retries)};
     if (zoned) drawn.mission.rules.zones = some_zones(side);
     if (batteries) give_batteries(drawn.mission);
+    leave(left, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -98,7 +107,7 @@ inline Underway any_planned(int side, int most_vehicles, int most_retries, bool 
 }
 
 // Of one agent that opens its own way; before it begins.
-inline Underway any_own_way(int side, int most_retries) {
+inline Underway any_own_way(int side, int most_retries, Left left = Left::nothing) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, 1, most_retries)};
     drawn.mission.agents.resize(1);
@@ -106,6 +115,7 @@ inline Underway any_own_way(int side, int most_retries) {
     dozer.own_breaches = *number(1, 4);
     dozer.body.radius = *rc::gen::element(0.0, 0.4, 0.5, 0.9);
     drawn.mission.rules.removals = *number(1, 4);
+    leave(left, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -117,10 +127,11 @@ inline Underway any_own_way(int side, int most_retries) {
 }
 
 // Of a vehicle that clears for up to two others, perhaps beside an aircraft; before it begins.
-inline Underway any_clearing(int side, int most_retries) {
+inline Underway any_clearing(int side, int most_retries, Left left = Left::nothing) {
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, 3, most_retries)};
     drawn.mission.agents.front().own_breaches = *number(1, 3);
+    leave(left, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -133,7 +144,7 @@ inline Underway any_clearing(int side, int most_retries) {
 
 // Some time after it began; nothing is reported but that.
 inline Underway any_underway(int side, bool zoned = false, bool batteries = false) {
-    Underway drawn = any_planned(side, 2, 1, zoned, batteries);
+    Underway drawn = any_planned(side, 2, 1, zoned, batteries, Left::perhaps_rubble);
     double last = 0;
     for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
     drawn.state.sequence = 1;
