@@ -34,7 +34,8 @@ Actor::Actor(const Agent& agent, std::size_t index)
 
 AgentState Actor::state(double now) const {
     AgentState state{.id = trail.agent, .passed = passed(now), .at = at(now)};
-    if (phase == Phase::at_work) state.doing = Doing::breaching;
+    // Who stands for rubble breaches nothing.
+    if (phase == Phase::at_work) state.doing = work.empty() ? Doing::waiting : Doing::breaching;
     if (phase == Phase::lost) state.doing = Doing::lost;
     if (phase == Phase::waiting || phase == Phase::held || phase == Phase::arrived) state.doing = Doing::waiting;
     if (battery != never) state.flown = in_the_air(now);

@@ -31,7 +31,6 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
             "enforced");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
-    if (mission.rules.rubble > 0) contradiction("a plan with rubble cannot be rehearsed: plan it without");
 }
 
 Spread spread_of(std::vector<double> values) {

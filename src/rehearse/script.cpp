@@ -67,6 +67,28 @@ void add_gate(const Map& map, const std::vector<Waypoint>& path, double radius, 
     }
 }
 
+// Where a vehicle comes to an obstacle that has been removed: as its order for that says, if it has one.
+std::optional<Moment> entry_of(const Map& map, const Plan& plan, std::size_t agent, double radius,
+                               ObstacleId obstacle) {
+    for (const Order& order : plan.orders) {
+        if (order.after.agent == agent && order.obstacle == obstacle) return order.after;
+    }
+    const std::vector<Waypoint>& path = plan.agents[agent].path;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const auto share = first_overlap(map, obstacle, place(path[i]), place(path[i + 1]), radius);
+        if (share) return Moment{agent, i, *share};
+    }
+    return std::nullopt;
+}
+
+// Stands there for its rubble, once it is open. What the vehicle begins in, it has entered before.
+void add_rubble(const std::vector<Waypoint>& path, const Moment& entry, double rubble, Script& script) {
+    if (entry.point == 0 && entry.fraction == 0) return;
+    const Stop& gate = stop_at(script, path, entry.point, entry.fraction);
+    const Stop stand{.point = gate.point, .share = gate.share, .at = gate.at, .work = rubble};
+    script.insert(script.begin() + (&gate - script.data()) + 1, stand);
+}
+
 }  // namespace
 
 std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Plan& plan,
@@ -99,6 +121,17 @@ std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Pla
         stop_at(scripts[first], plan.agents[first].path, order.before.point, order.before.fraction)
             .signals.push_back(k);
         stop_at(scripts[second], plan.agents[second].path, order.after.point, order.after.fraction).waits.push_back(k);
+    }
+    if (mission.rules.rubble == 0) return scripts;
+    std::vector<ObstacleId> removed;
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
+    for (const TimedOpening& opening : mission.rules.opened) removed.push_back(opening.obstacle);
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        for (const ObstacleId obstacle : removed) {
+            const auto entry = entry_of(map, plan, i, mission.agents[i].body.reach(), obstacle);
+            if (entry) add_rubble(plan.agents[i].path, *entry, mission.rules.rubble, scripts[i]);
+        }
     }
     return scripts;
 }
