@@ -33,7 +33,7 @@ export class Story {
   #drivenVerb(id: string, { reason, obstacle, agent }: ExplainedWait): string {
     if (reason === "readiness") return "is not ready yet";
     if (reason === "agent") return `lets ${nameOf({ id: agent!, kind: "ground" })} pass`;
-    if (reason === "rubble") return `gets over the rubble of ${this.#numbers.get(obstacle!)}`;
+    if (reason === "rubble") return `gets over ${this.#numbers.has(obstacle!) ? `the rubble of ${this.#numbers.get(obstacle!)}` : "rubble"}`;
     if (reason === "opening" && agent === undefined) return "waits for what opens by itself";
     if (reason === "opening" && agent === id) return `opens ${this.#numbers.get(obstacle!)}`;
     if (reason === "opening") return `waits for ${nameOf({ id: agent!, kind: "air" })} to open ${this.#numbers.get(obstacle!)}`;

@@ -178,24 +178,24 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
 it("a mission file whose speeds are all 1 is at 1 m/s, unless its times are seconds", () => {
   const two = [{ id: "ground", kind: "ground", start: [1, 2], goal: [3, 4] }, { id: "air", kind: "air", start: [1, 2], goal: [3, 4], speed: 1 }];
   const team = [two[0], { id: "2", kind: "ground", start: [5, 5], goal: [6, 6], ready_at: 10 }, two[1]];
-  const rules = { breach_time: 5, breach_time_per_cell: 0.5 };
+  const rules = { breach_time: 5, breach_time_per_cell: 0.5, rubble: 4 };
   const opened = (agents: unknown, more: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules, ...more }))!.mission;
   for (const agents of [two, team]) {
     const [free, said] = [opened(agents, {}), opened(agents, { time_unit: "s" })];
     expect(free.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 1));
-    expect(free).toMatchObject({ breachTime: 10, breachTimePerCell: 1 });
+    expect(free).toMatchObject({ breachTime: 10, breachTimePerCell: 1, rubble: 8 });
     expect(said.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 2));
-    expect(said).toMatchObject({ breachTime: 5, breachTimePerCell: 0.5 });
+    expect(said).toMatchObject({ breachTime: 5, breachTimePerCell: 0.5, rubble: 4 });
   }
   expect(opened(team, {}).agents[1]).toMatchObject({ readyAt: 20 });
 });
 
 it("a plan file whose speeds are all 1 is at 1 m/s, unless its times are seconds", () => {
-  const plan = planOf({ after: 9, options: { breach_time: 7 } });
+  const plan = planOf({ after: 9, options: { breach_time: 7, rubble: 3 } });
   plan.map.cell_size = 2;
-  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 1 }, { speed: 1 }], breachTime: 14 });
+  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 1 }, { speed: 1 }], breachTime: 14, rubble: 6 });
   plan.mission = { time_unit: "s", agents: [{}, {}] };
-  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 2 }, { speed: 2 }], breachTime: 7 });
+  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 2 }, { speed: 2 }], breachTime: 7, rubble: 3 });
 });
 
 it("a mission file keeps what the page has no control for", () => {

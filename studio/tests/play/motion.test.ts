@@ -139,6 +139,8 @@ describe("a plan", () => {
     expect(told(truck("truck", { reason: "agent", agent: "9" }))).toBe("truck lets vehicle 9 pass");
     expect(told(truck("truck", { reason: "readiness" }))).toBe("truck is not ready yet");
     expect(told(truck("truck", { reason: "nothing" }))).toBe("truck waits");
+    expect(told(truck("truck", { reason: "rubble", obstacle: 7 }))).toBe("truck gets over the rubble of 2");
+    expect(told(truck("truck", { reason: "rubble", obstacle: 99 }))).toBe("truck gets over rubble");
     expect(told(truck("ground", { reason: "opening", obstacle: 7, agent: "air" }))).toBe("the ground robot waits for the aircraft to open 2");
     expect(told({ ...ground, path: [[4, -4, 2], [4, 5, 11]] })).toBeNull();
     const trucks = ["1", "2", "3", "4", "5"].map((id) => truck(id));
