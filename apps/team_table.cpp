@@ -37,7 +37,7 @@ std::string reached(const Plan& plan, const Mission& mission) {
                        *mission.rules.unreached, weight, all);
 }
 
-std::string reason(const Wait& wait, const io::MapFile& map) {
+std::string reason(const Wait& wait, const io::MapFile& map, const Rules& rules) {
     switch (wait.reason) {
         case WaitReason::readiness:
             return ", until it is ready";
@@ -48,6 +48,9 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
         }
         case WaitReason::agent:
             return fmt::format(", for {}", shortened(wait.agent));
+        case WaitReason::zone:
+            if (wait.zone == 0 || wait.zone > rules.zones.size()) break;
+            return fmt::format(", for {}", name_of(rules.zones[wait.zone - 1], wait.zone));
         case WaitReason::nothing:
             break;
     }
@@ -91,7 +94,8 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
             all += wait.until - wait.from;
             lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n",
                                         shortened(agent.id), wait.until - wait.from, wait.at.x, wait.at.y, wait.from,
-                                        wait.until, explained ? reason(wait, context.map) : ""));
+                                        wait.until,
+                                        explained ? reason(wait, context.map, context.asked.mission.rules) : ""));
         }
     }
     if (lines.size() > 1 && !context.asked.mission.is_team())

@@ -29,11 +29,19 @@ bool breaches(const Plan& plan, const Breach& breach, const std::string& agent) 
                        [&](const Itinerary& one) { return one.kind == AgentKind::air && one.id == agent; });
 }
 
+// Whether a zone holds for an agent, and for a time only, until then or longer.
+bool is_over_after(const Zone& zone, const Itinerary& agent, double time) {
+    const bool is_meant =
+        zone.agents.empty() || std::find(zone.agents.begin(), zone.agents.end(), agent.id) != zone.agents.end();
+    return is_meant && zone.kind == ZoneKind::keep_out && zone.has_window() && zone.until >= time;
+}
+
 // Whether that can be in the way until then.
 bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, double ready_at, const Wait& wait,
                 double hair) {
     const bool names_nobody = wait.agent.empty();
     if (wait.obstacle && wait.reason != WaitReason::opening) return false;
+    if (wait.zone > 0 && wait.reason != WaitReason::zone) return false;
     switch (wait.reason) {
         case WaitReason::nothing:
             return names_nobody;
@@ -48,6 +56,9 @@ bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, do
                 return breach.obstacle == wait.obstacle && wait.until <= breach.cleared_at + hair &&
                        breaches(plan, breach, wait.agent);
             });
+        case WaitReason::zone:
+            return names_nobody && wait.zone > 0 && wait.zone <= rules.zones.size() &&
+                   is_over_after(rules.zones[wait.zone - 1], agent, wait.until - hair);
         case WaitReason::agent:
             return wait.agent != agent.id &&
                    std::any_of(plan.agents.begin(), plan.agents.end(), [&](const Itinerary& other) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "mission/in_windows.hpp"
+#include "mission/zone_stays.hpp"
 #include "model/timeline.hpp"
 #include "safe_interval/motion.hpp"
 #include "safe_interval/traffic.hpp"
@@ -47,6 +50,7 @@ struct Disc {
 class Causes {
   public:
     Causes(const Map& map, const Mission& mission, const Plan& plan) : map_(map), mission_(mission), plan_(plan) {
+        if (has_windows(mission)) watch_.emplace(map, mission);
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air || !mission.rules.collisions) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
@@ -123,6 +127,7 @@ class Causes {
             const auto touched = first_touch(map_, opening.obstacle, run.path, standing_radius(driver.body));
             if (touched) add({whenever, opening.at - *touched}, WaitReason::opening, opening.obstacle, "");
         }
+        add_zones(agent, whole, run, found);
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
             const double reach = driver.body.reach() + disc.radius + mission_.rules.separation -
@@ -133,6 +138,23 @@ class Causes {
             }
         }
         return found;
+    }
+
+    // Departures at which it would be in a zone while that holds.
+    void add_zones(std::size_t agent, const Wait& whole, const Run& run, std::vector<Hindrance>& found) const {
+        if (!watch_) return;
+        const std::vector<Zone>& zones = mission_.rules.zones;
+        for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+            if (!zones[zone].has_window() || !watch_->holds_for(zone, agent)) continue;
+            for (const Stay& stay : watch_->stays(zone, agent, run.path, run.stays)) {
+                const Interval departures{zones[zone].from - stay.until, zones[zone].until - stay.from};
+                if (departures.to <= whole.from || departures.from >= whole.until) continue;
+                Wait wait = whole;
+                wait.reason = WaitReason::zone;
+                wait.zone = zone + 1;
+                found.push_back({departures, wait});
+            }
+        }
     }
 
     // Of one ground and one air agent the plan does not say who breaches.
@@ -200,7 +222,7 @@ class Causes {
         for (const Wait& part : parts) {
             const bool same = !waits.empty() && waits.back().until == part.from && waits.back().at == part.at &&
                               waits.back().reason == part.reason && waits.back().obstacle == part.obstacle &&
-                              waits.back().agent == part.agent;
+                              waits.back().agent == part.agent && waits.back().zone == part.zone;
             if (same) {
                 waits.back().until = part.until;
             } else {
@@ -213,6 +235,7 @@ class Causes {
     const Mission& mission_;
     const Plan& plan_;
     std::vector<Disc> discs_;
+    std::optional<ZoneWatch> watch_;
 };
 
 }  // namespace
