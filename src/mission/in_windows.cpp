@@ -195,6 +195,8 @@ class WindowSearch {
         plan.before = relaxed.before;
         plan.limit_reached = limit_reached_ || is_cut_;
         plan.least_demolition.reset();
+        plan.bound = relaxed.bound;
+        plan.gap.reset();
         if (plan.status != PlanStatus::solved || !relaxed.bound) return;
         const double reached = value(plan.after, mission_.rules.objective).value_or(for_ever);
         plan.bound = std::min(*relaxed.bound, reached);
