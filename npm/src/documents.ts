@@ -167,9 +167,11 @@ export interface Wait {
   at: [x: number, y: number];
   from: number;
   until: number;
-  reason: "opening" | "agent" | "readiness" | "nothing";
+  reason: "opening" | "agent" | "readiness" | "zone" | "nothing";
   obstacle?: number;
   agent?: string;
+  /** Which of the mission's zones, counted from 1. */
+  zone?: number;
 }
 
 export interface Itinerary {

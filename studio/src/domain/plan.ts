@@ -144,9 +144,10 @@ export interface ExplainedWait {
   at: Point;
   from: number;
   until: number;
-  reason: "nothing" | "readiness" | "opening" | "agent";
+  reason: "nothing" | "readiness" | "opening" | "agent" | "zone";
   obstacle?: number; // that is opened
   agent?: string; // who opens it, or is let past
+  zone?: number; // that is over then: which, from 1
 }
 
 export interface Plan {
