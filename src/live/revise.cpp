@@ -83,7 +83,8 @@ enum class Placing { as_planned, going_on, waiting };
 bool place_agents(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
                   const live::Closed& closed, Placing placing, Mission& left) {
     const Map& known = closed.map();
-    std::vector<TimedOpening> openings = closed.openings;
+    std::vector<TimedOpening> openings = left.rules.opened;
+    openings.insert(openings.end(), closed.openings.begin(), closed.openings.end());
     for (std::size_t i = 0; i < outlooks.size() && placing == Placing::as_planned; ++i) {
         const Breach& breach = report.plan.breaches[i];
         if (!outlooks[i].opens && !outlooks[i].failed) openings.push_back({breach.obstacle, breach.cleared_at});
@@ -317,7 +318,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
         }
         if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            revised.halts = halts_of({known.map(), known.openings}, report, positions);
+            std::vector<TimedOpening> openings = left.rules.opened;
+            openings.insert(openings.end(), known.openings.begin(), known.openings.end());
+            revised.halts = halts_of({known.map(), openings}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;

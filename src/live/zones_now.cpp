@@ -23,7 +23,7 @@ Mission in_airspace_at(const Map& map, Mission mission, double time) {
 }
 
 Closed closed_at(const Map& map, const Mission& mission, double time) {
-    Closed result{map, closed_to_vehicles(map, mission), mission.rules.opened};
+    Closed result{map, closed_to_vehicles(map, mission), {}};
     std::vector<Zone> now;
     for (const Zone& zone : mission.rules.zones) {
         if (zone.kind == ZoneKind::keep_out && zone.has_window() && zone.holds_at(time)) now.push_back(zone);

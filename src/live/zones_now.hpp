@@ -19,7 +19,7 @@ struct Closed {
 
     const Map& open;
     std::optional<Map> closed;           // with an obstacle for each zone; empty where there is none
-    std::vector<TimedOpening> openings;  // of obstacles, by themselves; and of zones that are over then
+    std::vector<TimedOpening> openings;  // of those that are over some time
 };
 // The map must outlive it.
 Closed closed_at(const Map& map, const Mission& mission, double time);
