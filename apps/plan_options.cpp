@@ -117,10 +117,12 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                 "--breach-time (default: 0)");
     add_protect(command, options);
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
-    add_file(command, "--zones", options.zones,
-             "Where nobody may go, in place of what the mission file says: polygons as GeoJSON, each with a property "
-             "\"zone\": \"no_fly\" for aircraft, which fly round it, or \"keep_out\" for ground agents; longitude and "
-             "latitude, or cells where the file has \"crs\": \"cells\"");
+    add_file(
+        command, "--zones", options.zones,
+        "Where nobody may go, in place of what the mission file says: polygons as GeoJSON, each with a property "
+        "\"zone\": \"no_fly\" for aircraft, which fly round it, or \"keep_out\" for ground agents, and where wanted "
+        "\"from\" and \"until\", between which it holds; longitude and latitude, or cells where the file has "
+        "\"crs\": \"cells\"");
     add_overlay_options(command, options.overlays);
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);

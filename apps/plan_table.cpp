@@ -313,11 +313,12 @@ std::string limit(const Plan& plan) {
     return "\na limit ended the choice: a better plan may exist; see --time-limit and --expansion-limit\n";
 }
 
-// The paper's choice of obstacles can be worse than none.
+// The paper's choice of obstacles can be worse than none. Zones that hold for a time are not asked before removal.
 std::string warning(const Plan& plan, const io::PlanContext& context) {
     const std::optional<double> before = value(plan.before, context.asked.mission.rules.objective);
     const std::optional<double> after = value(plan.after, context.asked.mission.rules.objective);
-    if (!before || !after || *after <= *before) return "";
+    const bool is_timed = std::ranges::any_of(context.asked.mission.rules.zones, &Zone::has_window);
+    if (!before || !after || *after <= *before || is_timed) return "";
     return fmt::format("\nnote: this plan is worse than removing nothing: {} {:.3f} instead of {:.3f}\n",
                        words(context.asked.mission.rules.objective), *after, *before);
 }

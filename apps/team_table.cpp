@@ -37,7 +37,7 @@ std::string reached(const Plan& plan, const Mission& mission) {
                        *mission.rules.unreached, weight, all);
 }
 
-std::string reason(const Wait& wait, const io::MapFile& map) {
+std::string reason(const Wait& wait, const io::MapFile& map, const Rules& rules) {
     const std::string_view name = wait.obstacle ? map.annotations.name_of(wait.obstacle) : std::string_view();
     const std::string named = name.empty() ? "" : fmt::format(" ({})", shortened(name));
     switch (wait.reason) {
@@ -49,6 +49,9 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
             return fmt::format(", for the rubble of {}{}", wait.obstacle.value, named);
         case WaitReason::agent:
             return fmt::format(", for {}", shortened(wait.agent));
+        case WaitReason::zone:
+            if (wait.zone == 0 || wait.zone > rules.zones.size()) break;
+            return fmt::format(", for {}", name_of(rules.zones[wait.zone - 1], wait.zone));
         case WaitReason::nothing:
             break;
     }
@@ -92,7 +95,8 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
             all += wait.until - wait.from;
             lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n",
                                         shortened(agent.id), wait.until - wait.from, wait.at.x, wait.at.y, wait.from,
-                                        wait.until, explained ? reason(wait, context.map) : ""));
+                                        wait.until,
+                                        explained ? reason(wait, context.map, context.asked.mission.rules) : ""));
         }
     }
     if (lines.size() > 1 && !context.asked.mission.is_team())

@@ -18,11 +18,12 @@
 namespace waybreaker {
 
 // What a ground agent waits for. `readiness`: its own Agent::ready_at; `opening`: an obstacle that stands; `agent`: one
-// that it would touch; `nothing`: it could go on, and only the planner did not see it.
-enum class WaitReason { nothing, readiness, opening, agent, rubble };
+// that it would touch; `rubble`: what is left of an obstacle that it enters next; `zone`: one with a window that holds;
+// `nothing`: it could go on, and only the planner did not see it.
+enum class WaitReason { nothing, readiness, opening, agent, rubble, zone };
 template <>
-inline constexpr std::array<std::string_view, 5> words_of<WaitReason>{"nothing", "readiness", "opening", "agent",
-                                                                      "rubble"};
+inline constexpr std::array<std::string_view, 6> words_of<WaitReason>{"nothing", "readiness", "opening",
+                                                                      "agent",   "rubble",    "zone"};
 
 // A time for which a ground agent stands on its way, and why: had it gone on at any moment of it, along its path to
 // where it waits next or to its goal, that would have been in its way. Two in a row at one place are two reasons, one
@@ -34,6 +35,7 @@ struct Wait {
     WaitReason reason = WaitReason::nothing;
     ObstacleId obstacle = {};  // of an opening
     std::string agent = {};    // who is in the way, or breaches the obstacle
+    std::size_t zone = 0;      // which of Rules::zones, from 1; 0: none
 };
 
 // An agent of the mission, and its path in time.
@@ -154,6 +156,13 @@ struct OutOfRange {
     double longest = 0;  // that it may fly
 };
 
+// A zone with a window that an agent would be in while it holds, in the plan that comes nearest to keeping out of all.
+struct BarredBy {
+    std::size_t zone = 0;  // which of Rules::zones, from 1
+    std::string agent = {};
+    double at = 0;  // when it would be in it first, units of time
+};
+
 // Where the base of an agent ends, in a plan that revises another: up to that point of its path it keeps to the other.
 struct Decision {
     std::string agent = {};
@@ -214,6 +223,8 @@ struct Plan {
     // If explained: what is not removed only because no aircraft can fly there and home, in the order of the flight
     // that one would make.
     std::vector<OutOfRange> out_of_range = {};
+    // Without a plan: what stands in the way, where that is a zone with a window.
+    std::optional<BarredBy> barred_by = {};
     std::vector<Itinerary> agents = {};   // one for each agent of the mission, in its order; empty unless solved
     std::optional<Revised> revised = {};  // of a mission that was under way
     // What waits for what: an execution that keeps them has no collision, whatever comes late. Sorted by `after`.

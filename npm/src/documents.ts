@@ -169,9 +169,11 @@ export interface Wait {
   at: [x: number, y: number];
   from: number;
   until: number;
-  reason: "opening" | "agent" | "readiness" | "rubble" | "nothing";
+  reason: "opening" | "agent" | "readiness" | "rubble" | "zone" | "nothing";
   obstacle?: number;
   agent?: string;
+  /** Which of the mission's zones, counted from 1. */
+  zone?: number;
 }
 
 export interface Itinerary {

@@ -87,7 +87,7 @@ Violations judge_explained(const Plan& plan, const Itinerary& agent, double read
 Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
     Violations all = judge_numbers(plan);
     if (!all.empty()) return all;
-    all = judge_zones(map, mission, plan);
+    all = judge_zones(map, mission, plan, terms);
     append(all, judge_ranges(map, mission, plan, terms));
     if (mission.is_team()) {
         const Violations others = judge_agents(mission, plan);

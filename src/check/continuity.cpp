@@ -114,7 +114,7 @@ class ContinuityJudge {
         std::vector<Waypoint> rest{at};
         // Off its path an aircraft does not come back to places in a zone.
         const auto is_inside = [&](const Waypoint& p) {
-            return checker::flies_in_zone(old_mission_, old.id, {p.x, p.y}, {p.x, p.y});
+            return checker::flies_in_zone(old_mission_, old.id, {p.x, p.y}, {p.x, p.y}, state_.now);
         };
         while (old.kind == AgentKind::air && !on_time && next + 1 < old.path.size() && is_inside(old.path[next]))
             ++next;
@@ -193,8 +193,8 @@ class ContinuityJudge {
         const bool had_arrived = rest.size() == 1;
         const auto place = [](const Waypoint& p) { return Point(p.x, p.y); };
         const Point next = place(rest[had_arrived ? 0 : 1]);
-        const bool is_barred =
-            old.kind == AgentKind::air && checker::is_barred(old_mission_, old.id, place(rest.front()), next);
+        const bool is_barred = old.kind == AgentKind::air &&
+                               checker::is_barred(old_mission_, old.id, place(rest.front()), next, state_.now);
         if (!(same(first.t, state_.now) || (had_arrived && first.t < state_.now)))
             say("the path of the " + path.id + " agent does not begin now", path.id);
         std::size_t piece = 0;

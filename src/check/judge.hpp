@@ -123,16 +123,17 @@ Violations judge_separation(const std::vector<Disc>& discs, const Terms& terms);
 // A plan of a team, all of it.
 Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 
-// That agents keep out of zones, and what is removed does not reach into one for vehicles.
-Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan);
+// That agents keep out of zones while they hold, and what is removed does not reach into one for vehicles. What an
+// agent under way does until it decides is held against zones without a window only: it is bound to do it.
+Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 
 // That no aircraft flies farther or longer than it may, and what is said to be out of range is.
 Violations judge_ranges(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 
-// Whether the straight way between two places leads through a zone that is closed to that aircraft.
-bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b);
+// Whether the straight way between two places leads through a zone that is closed to that aircraft at that time.
+bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b, double time);
 // The same, or grazes one: there is a reason to fly round.
-bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b);
+bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b, double time);
 
 // What waits for what. Precondition: nothing else is wrong with the plan.
 Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);

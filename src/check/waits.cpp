@@ -35,12 +35,20 @@ bool is_removed(const Plan& plan, const Rules& rules, ObstacleId obstacle) {
            std::any_of(plan.breaches.begin(), plan.breaches.end(), is_it);
 }
 
+// Whether a zone holds for an agent, and for a time only, until then or longer.
+bool is_over_after(const Zone& zone, const Itinerary& agent, double time) {
+    const bool is_meant =
+        zone.agents.empty() || std::find(zone.agents.begin(), zone.agents.end(), agent.id) != zone.agents.end();
+    return is_meant && zone.kind == ZoneKind::keep_out && zone.has_window() && zone.until >= time;
+}
+
 // Whether that can be in the way until then.
 bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, double ready_at, const Wait& wait,
                 double hair) {
     const bool names_nobody = wait.agent.empty();
     const bool names_obstacle = wait.reason == WaitReason::opening || wait.reason == WaitReason::rubble;
     if (wait.obstacle && !names_obstacle) return false;
+    if (wait.zone > 0 && wait.reason != WaitReason::zone) return false;
     switch (wait.reason) {
         case WaitReason::nothing:
             return names_nobody;
@@ -57,6 +65,9 @@ bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, do
             });
         case WaitReason::rubble:
             return names_nobody && rules.rubble > 0 && is_removed(plan, rules, wait.obstacle);
+        case WaitReason::zone:
+            return names_nobody && wait.zone > 0 && wait.zone <= rules.zones.size() &&
+                   is_over_after(rules.zones[wait.zone - 1], agent, wait.until - hair);
         case WaitReason::agent:
             return wait.agent != agent.id &&
                    std::any_of(plan.agents.begin(), plan.agents.end(), [&](const Itinerary& other) {

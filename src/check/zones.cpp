@@ -9,6 +9,7 @@
 namespace waybreaker::checker {
 namespace {
 
+constexpr double boundless = std::numeric_limits<double>::infinity();
 constexpr double spare = 1e-3;       // cells: what rounding of corners, and of points in files, may do
 constexpr double spare_area = 1e-3;  // of a cell
 constexpr int looks = 32;            // at a part of a leg that lies inside
@@ -49,7 +50,7 @@ double away(Point p, Point a, Point b) {
 
 // From the outline, however a point lies to it.
 double from_outline(const Zone& zone, Point p) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = boundless;
     for_each_edge(zone, [&](Point a, Point b) { least = std::min(least, away(p, a, b)); });
     return least;
 }
@@ -119,34 +120,35 @@ bool covers(const Zone& zone, Cell cell) {
 
 class ZoneJudge {
   public:
-    ZoneJudge(const Map& map, const Zone& zone, std::size_t number)
+    ZoneJudge(const Map& map, const Zone& zone, std::size_t number, const Terms& terms)
         : map_(map), zone_(zone), name_(zone.name.empty() ? "zone " + std::to_string(number) : "zone " + zone.name) {
         for_each_edge(zone, [this](Point a, Point) {
             least_ = {std::min(least_.x, a.x), std::min(least_.y, a.y)};
             most_ = {std::max(most_.x, a.x), std::max(most_.y, a.y)};
         });
+        if (!zone.has_window()) return;
+        from_ = zone.from + slack(terms, zone.from);
+        until_ = std::isinf(zone.until) ? zone.until : zone.until - slack(terms, zone.until);
+        if (zone.from > 0) when_ = " from " + text(zone.from);
+        if (std::isfinite(zone.until)) when_ += " until " + text(zone.until);
     }
 
     // From that point of its path on.
     void judge_path(const Itinerary& agent, double radius, std::size_t first) {
-        const bool flies = agent.kind == AgentKind::air;
         for (std::size_t i = first; i < agent.path.size(); ++i) {
-            const Waypoint& from = agent.path[i > first ? i - 1 : i];
-            const Waypoint& to = agent.path[i];
-            const Point a(from.x, from.y);
-            const Point b(to.x, to.y);
-            if (!comes_near(a, b, radius)) continue;
-            std::optional<double> share = first_inside(zone_, a, b);
-            if (!share && radius > 0) share = first_touched(zone_, a, b, radius);
-            if (!share) continue;
-            found_.push_back({Rule::zone,
-                              "the " + agent.id + " agent " + (flies ? "flies in " : "drives into ") + name_ +
-                                  (flies ? ", where nobody may" : ", which it has to keep out of"),
-                              agent.id,
-                              {},
-                              between(a, b, *share),
-                              from.t + *share * (to.t - from.t)});
-            return;
+            if (judge_leg(agent, radius, agent.path[i > first ? i - 1 : i], agent.path[i])) return;
+        }
+    }
+
+    // The same while the zone holds, not before `earliest`. `stays`: at the end of its path, for ever.
+    void judge_in_time(const Itinerary& agent, double radius, double earliest, bool stays) {
+        std::vector<Waypoint> path = agent.path;
+        if (stays && !path.empty()) path.push_back({path.back().x, path.back().y, boundless});
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const double begin = std::max({path[i - 1].t, from_, earliest});
+            const double end = std::min(path[i].t, until_);
+            if (begin < end && judge_leg(agent, radius, at(path[i - 1], path[i], begin), at(path[i - 1], path[i], end)))
+                return;
         }
     }
 
@@ -169,6 +171,32 @@ class ZoneJudge {
     Violations found() { return std::move(found_); }
 
   private:
+    // Between two points of a path, or where it stands.
+    static Waypoint at(const Waypoint& a, const Waypoint& b, double time) {
+        if (a.x == b.x && a.y == b.y) return {a.x, a.y, time};
+        const Point place = between({a.x, a.y}, {b.x, b.y}, (time - a.t) / (b.t - a.t));
+        return {place.x, place.y, time};
+    }
+
+    // Whether it is at fault on the way from one point to another.
+    bool judge_leg(const Itinerary& agent, double radius, const Waypoint& from, const Waypoint& to) {
+        const bool flies = agent.kind == AgentKind::air;
+        const Point a(from.x, from.y);
+        const Point b(to.x, to.y);
+        if (!comes_near(a, b, radius)) return false;
+        std::optional<double> share = first_inside(zone_, a, b);
+        if (!share && radius > 0) share = first_touched(zone_, a, b, radius);
+        if (!share) return false;
+        found_.push_back({Rule::zone,
+                          "the " + agent.id + " agent " + (flies ? "flies in " : "drives into ") + name_ +
+                              (flies ? ", where nobody may" : ", which it has to keep out of") + when_,
+                          agent.id,
+                          {},
+                          between(a, b, *share),
+                          *share > 0 ? from.t + *share * (to.t - from.t) : from.t});
+        return true;
+    }
+
     bool comes_near(Point a, Point b, double radius) const {
         return std::max(a.x, b.x) + radius >= least_.x && std::min(a.x, b.x) - radius <= most_.x &&
                std::max(a.y, b.y) + radius >= least_.y && std::min(a.y, b.y) - radius <= most_.y;
@@ -177,8 +205,11 @@ class ZoneJudge {
     const Map& map_;
     const Zone& zone_;
     std::string name_;
-    Point least_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point most_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    std::string when_;          // it holds; empty: all the time
+    double from_ = -boundless;  // it holds without doubt
+    double until_ = boundless;
+    Point least_{boundless, boundless};
+    Point most_{-boundless, -boundless};
     Violations found_;
 };
 
@@ -192,7 +223,7 @@ bool holds_for(const Zone& zone, const std::string& id, bool flies) {
 std::size_t first_judged(const Mission& mission, const Agent& agent, const Itinerary& planned) {
     if (agent.kind == AgentKind::ground || agent.approach.empty() || planned.path.empty()) return 0;
     const auto place = [&](std::size_t i) { return Point(planned.path[i].x, planned.path[i].y); };
-    if (!flies_in_zone(mission, agent.id, place(0), place(0))) return 0;
+    if (!flies_in_zone(mission, agent.id, place(0), place(0), planned.path[0].t)) return 0;
     std::size_t first = 0;
     while (first + 1 < planned.path.size() && place(first) == place(0)) ++first;
     return first;
@@ -200,23 +231,24 @@ std::size_t first_judged(const Mission& mission, const Agent& agent, const Itine
 
 }  // namespace
 
-bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b) {
+bool flies_in_zone(const Mission& mission, const std::string& aircraft, Point a, Point b, double time) {
     return std::any_of(mission.rules.zones.begin(), mission.rules.zones.end(), [&](const Zone& zone) {
-        return holds_for(zone, aircraft, true) && first_inside(zone, a, b).has_value();
+        return zone.holds_at(time) && holds_for(zone, aircraft, true) && first_inside(zone, a, b).has_value();
     });
 }
 
-bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b) {
+bool is_barred(const Mission& mission, const std::string& aircraft, Point a, Point b, double time) {
     return std::any_of(mission.rules.zones.begin(), mission.rules.zones.end(), [&](const Zone& zone) {
-        return holds_for(zone, aircraft, true) && (first_inside(zone, a, b, 0) || first_touched(zone, a, b, 2 * spare));
+        return zone.holds_at(time) && holds_for(zone, aircraft, true) &&
+               (first_inside(zone, a, b, 0) || first_touched(zone, a, b, 2 * spare));
     });
 }
 
-Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan) {
+Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
     Violations found;
     for (std::size_t i = 0; i < mission.rules.zones.size(); ++i) {
         const Zone& zone = mission.rules.zones[i];
-        ZoneJudge judge(map, zone, i + 1);
+        ZoneJudge judge(map, zone, i + 1, terms);
         bool holds = false;
         for (const Agent& agent : mission.agents) {
             const bool flies = agent.kind == AgentKind::air;
@@ -224,10 +256,16 @@ Violations judge_zones(const Map& map, const Mission& mission, const Plan& plan)
             holds = true;
             for (const Itinerary& planned : plan.agents) {
                 if (planned.id != agent.id) continue;
-                judge.judge_path(planned, flies ? 0 : agent.body.reach(), first_judged(mission, agent, planned));
+                const double radius = flies ? 0 : agent.body.reach();
+                if (zone.has_window()) {
+                    const bool stays = flies || mission.rules.at_goal == AtGoal::stay;
+                    judge.judge_in_time(planned, radius, agent.approach.empty() ? 0 : agent.ready_at, stays);
+                } else {
+                    judge.judge_path(planned, radius, first_judged(mission, agent, planned));
+                }
             }
         }
-        if (holds && zone.kind == ZoneKind::keep_out) {
+        if (holds && zone.kind == ZoneKind::keep_out && !zone.has_window()) {
             for (const Breach& breach : plan.breaches) judge.judge_removed(breach);
         }
         append(found, judge.found());

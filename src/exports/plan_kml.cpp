@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -39,14 +40,18 @@ struct Span {
     std::optional<double> end = {};
 };
 
+void append_span(pugi::xml_node placemark, const PlacedPlan& placed, const Span& span) {
+    pugi::xml_node time = placemark.append_child("TimeSpan");
+    if (span.begin) append_text(time, "begin", utc_text(placed.starts_at, *span.begin));
+    if (span.end) append_text(time, "end", utc_text(placed.starts_at, *span.end));
+}
+
 pugi::xml_node append_placemark(pugi::xml_node folder, const PlacedPlan& placed, const std::string& name,
                                 const std::string& description, const Span& span, const std::string& style) {
     pugi::xml_node placemark = folder.append_child("Placemark");
     append_text(placemark, "name", name);
     append_text(placemark, "description", description);
-    pugi::xml_node time = placemark.append_child("TimeSpan");
-    if (span.begin) append_text(time, "begin", utc_text(placed.starts_at, *span.begin));
-    if (span.end) append_text(time, "end", utc_text(placed.starts_at, *span.end));
+    append_span(placemark, placed, span);
     append_text(placemark, "styleUrl", fmt::format("#{}", style));
     return placemark;
 }
@@ -119,6 +124,11 @@ void append_zones(pugi::xml_node document, const PlacedPlan& placed) {
         append_text(placemark, "name", zone.name.empty() ? fmt::format("zone {}", i + 1) : zone.name);
         append_text(placemark, "description",
                     zone.agents.empty() ? kind : fmt::format("{} for {}", kind, fmt::join(zone.agents, ", ")));
+        if (zone.has_window()) {
+            Span span{.begin = zone.from};
+            if (std::isfinite(zone.until)) span.end = zone.until;
+            append_span(placemark, placed, span);
+        }
         append_text(placemark, "styleUrl", fmt::format("#{}", kind));
         append_area(placemark, io::polygons_json(placed.to_lon_lat, {closed}));
     }

@@ -86,7 +86,11 @@ void append_blocked_zones(const PlacedPlan& placed, const Itinerary& vehicle, co
         Message vertices = Message::array();
         for (const Point corner : zone.polygon.front()) vertices.push_back(place_json(frame, corner));
         Message blocked{{"zoneId", fmt::format("zone-{}", i + 1)}, {"zoneType", "BLOCKED"}};
-        if (!zone.name.empty()) blocked["zoneDescriptor"] = zone.name;
+        if (zone.has_window()) {
+            blocked["zoneDescriptor"] = name_of(zone, i + 1);  // and its times, which a zone cannot have
+        } else if (!zone.name.empty()) {
+            blocked["zoneDescriptor"] = zone.name;
+        }
         blocked["vertices"] = std::move(vertices);
         zones.push_back(std::move(blocked));
     }

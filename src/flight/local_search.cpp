@@ -59,7 +59,7 @@ class LocalSearch {
                 const Point to = at(last + 1);
                 const double gain = air_.length(from, at(first)) + air_.length(at(last), to) -
                                     air_.length(from, at(last)) - air_.length(at(first), to);
-                if (gain <= least_gain) continue;
+                if (!(gain > least_gain)) continue;  // nor where both ways are none: no number
                 std::reverse(stop(first), stop(last + 1));
                 better = true;
             }
@@ -89,7 +89,7 @@ class LocalSearch {
                               air_.length(before(first), at(first + stops)) + air_.length(from, to);
         const double forward = air_.length(from, head) + air_.length(tail, to);
         const double backward = air_.length(from, tail) + air_.length(head, to);
-        if (closed - std::min(forward, backward) <= least_gain) return false;
+        if (!(closed - std::min(forward, backward) > least_gain)) return false;
         if (backward < forward) std::reverse(stop(first), stop(first + stops));
         if (place < first) {
             std::rotate(stop(place), stop(first), stop(first + stops));

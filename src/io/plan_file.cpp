@@ -142,7 +142,12 @@ Wait wait(const JsonField& field) {
     result.reason = field["reason"].one_of(wait_words);
     if (const auto obstacle = field.find("obstacle")) result.obstacle = read_obstacle(*obstacle, 0);
     if (const auto who = field.find("agent")) result.agent = read_agent_id(*who);
+    if (const auto zone = field.find("zone")) result.zone = std::size_t(zone->whole_number(1, INT32_MAX));
     return result;
+}
+
+BarredBy barred_by(const JsonField& field) {
+    return {std::size_t(field["zone"].whole_number(1, INT32_MAX)), read_agent_id(field["agent"]), field["at"].number()};
 }
 
 Itinerary agent(const JsonField& field) {
@@ -315,6 +320,7 @@ PlanFile read_plan(const JsonField& root) {
     if (const auto next = root.find("next")) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
+    if (const auto barred = root.find("barred_by")) file.plan.barred_by = barred_by(*barred);
     if (const auto far = root.find("out_of_range")) {
         for (const JsonField& field : far->items()) file.plan.out_of_range.push_back(out_of_range(field));
     }

@@ -174,6 +174,7 @@ Json wait_json(const Wait& wait) {
               {"reason", to_string(wait.reason)}};
     if (wait.obstacle) json["obstacle"] = wait.obstacle.value;
     if (!wait.agent.empty()) json["agent"] = wait.agent;
+    if (wait.zone > 0) json["zone"] = wait.zone;
     return json;
 }
 
@@ -287,6 +288,10 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     }
     for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
     for (const OutOfRange& far : plan.out_of_range) json["out_of_range"].push_back(out_of_range_json(far, context.map));
+    if (plan.barred_by) {
+        const BarredBy& by = *plan.barred_by;
+        json["barred_by"] = {{"zone", by.zone}, {"agent", by.agent}, {"at", number(by.at)}};
+    }
     json["agents"] = Json::array();
     for (const Plan& step : context.front) {
         json["front"].push_back(step_json(step, context.asked.mission.rules.objective, context.map));

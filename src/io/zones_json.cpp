@@ -36,10 +36,8 @@ void add_zones(const JsonField& feature, std::vector<Zone>& zones) {
         for (const JsonField& id : agents->items()) zone.agents.push_back(read_agent_id(id));
         if (zone.agents.empty()) agents->fail("names nobody; leave it out for a zone that holds for all");
     }
-    for (const char* const time : {"from", "until"}) {
-        if (const auto field = properties.find(time))
-            field->fail("asks for a zone that holds for a time only, which cannot be planned with yet; leave it out");
-    }
+    if (const auto from = properties.find("from")) zone.from = from->number();
+    if (const auto until = properties.find("until")) zone.until = until->number();
     const JsonField geometry = feature["geometry"];
     const bool several = geometry["type"].one_of<bool>({{"Polygon", false}, {"MultiPolygon", true}});
     const JsonField coordinates = geometry["coordinates"];
@@ -95,6 +93,8 @@ Json zones_json(const std::vector<Zone>& zones, const site::ToLonLat& to_lon_lat
         Json properties{{"zone", to_string(zone.kind)}};
         if (!zone.name.empty()) properties["name"] = zone.name;
         if (!zone.agents.empty()) properties["agents"] = zone.agents;
+        if (zone.from > 0) properties["from"] = zone.from;
+        if (std::isfinite(zone.until)) properties["until"] = zone.until;
         Json rings = Json::array();
         for (const std::vector<Point>& ring : zone.polygon) {
             Json positions = Json::array();

@@ -4,7 +4,7 @@
 //       {"type": "Feature", "properties": {"zone": "no_fly", "name": "airport", "agents": ["air"]},
 //        "geometry": {"type": "Polygon", "coordinates": [[[40, 10], [90, 10], [90, 60], [40, 60], [40, 10]]]}}]}
 //
-// Only "zone" must be among the properties; others than these are passed by.
+// Only "zone" must be among the properties; "from" and "until" may be, units of time; others are passed by.
 #pragma once
 
 #include <string>

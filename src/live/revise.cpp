@@ -13,6 +13,7 @@
 #include "live/left.hpp"
 #include "live/remainder.hpp"
 #include "live/state.hpp"
+#include "live/zones_now.hpp"
 #include "mission/waits.hpp"
 #include "model/in_zones.hpp"
 #include "model/objective.hpp"
@@ -78,11 +79,12 @@ std::vector<Halt> halts_of(const live::Ground& ground, const Report& report, std
 // begun; as if all went on at once, or as if each waited for all the others.
 enum class Placing { as_planned, going_on, waiting };
 
-// Puts the agents that are left where they are free; whether there is a way to do so. `known`: with what is closed to
-// vehicles.
+// Puts the agents that are left where they are free; whether there is a way to do so.
 bool place_agents(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
-                  const Map& known, Placing placing, Mission& left) {
+                  const live::Closed& closed, Placing placing, Mission& left) {
+    const Map& known = closed.map();
     std::vector<TimedOpening> openings = left.rules.opened;
+    openings.insert(openings.end(), closed.openings.begin(), closed.openings.end());
     for (std::size_t i = 0; i < outlooks.size() && placing == Placing::as_planned; ++i) {
         const Breach& breach = report.plan.breaches[i];
         if (!outlooks[i].opens && !outlooks[i].failed) openings.push_back({breach.obstacle, breach.cleared_at});
@@ -129,7 +131,9 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
     }
     left.agents = std::move(agents);
     left.rules.zones = live::zones_for(std::move(left.rules.zones), left.agents);
-    if (!report.state.joined.empty()) set_airspaces(known, left);
+    // From here on zones that hold now are not closed for good.
+    const bool others_hold = std::ranges::any_of(left.rules.zones, &Zone::has_window);
+    if (!report.state.joined.empty() || others_hold) set_airspaces(known, left);
     return true;
 }
 
@@ -221,7 +225,7 @@ std::vector<Outlook> with_breaches_on_bases(const Report& report, std::span<cons
 
 // The rest of the old plan in place of the new one, where that is no better.
 void keep_if_no_worse(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
-                      const Mission& left, const Map& known, const std::function<Plan(const Mission&)>& plan,
+                      const Mission& left, const live::Closed& known, const std::function<Plan(const Mission&)>& plan,
                       Revision& next) {
     Mission placed = left;
     if (!place_agents(report, positions, outlooks, known, Placing::as_planned, placed)) return;
@@ -278,8 +282,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
         throw InputError(ErrorCode::contradiction, "collisions",
                          "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
     validate_polygons(mission.rules.zones);
-    Mission in_airspace = mission;
-    set_airspaces(map, in_airspace);
+    const Mission in_airspace = live::in_airspace_at(map, mission, state.now);
     const Report report{map, in_airspace, plan, state, state.now + reaction};
     const std::vector<Position> positions = live::positions_of(report);
     const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);
@@ -292,8 +295,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const std::vector<Found> found = live::found_by(map, state, stopped);
     Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
     next.plan = no_plan_of(left);
-    const std::optional<Map> closed = closed_to_vehicles(next.map, left);
-    const Map& known = closed ? *closed : next.map;
+    const live::Closed known = live::closed_at(next.map, left, state.now);
     Revised revised = after(plan, state, found);
     if (!any_drives(report, positions)) {
         revised.reason = "no vehicle is left to drive";
@@ -316,7 +318,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
         }
         if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            revised.halts = halts_of({known, left.rules.opened}, report, positions);
+            std::vector<TimedOpening> openings = left.rules.opened;
+            openings.insert(openings.end(), known.openings.begin(), known.openings.end());
+            revised.halts = halts_of({known.map(), openings}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;

@@ -18,6 +18,7 @@
 #include "mission/candidate_plan.hpp"
 #include "mission/entries.hpp"
 #include "mission/explain.hpp"
+#include "mission/in_windows.hpp"
 #include "mission/instead.hpp"
 #include "mission/late_openings.hpp"
 #include "mission/path_through.hpp"
@@ -93,6 +94,54 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
     return plan;
 }
 
+// The plans for ever more removals, up to the last that gains, by whoever plans one of them.
+std::vector<Plan> front_by(const Mission& mission, const Method& method, const Limits& limits,
+                           const MissionPlanner& planned) {
+    const Rules& rules = mission.rules;
+    const Deadline deadline(limits.seconds);
+    const auto plan_with = [&](int removals, bool explained) {
+        Mission step = mission;
+        step.rules.removals = removals;
+        Method how = method;
+        how.explain = explained;
+        Limits left = limits;
+        left.seconds = std::max(deadline.left(), 1e-3);
+        return planned(step, how, left);
+    };
+    const auto reached = [&rules](const Plan& plan) {
+        return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());
+    };
+    std::vector<Plan> plans;
+    std::size_t worth = 0;  // plans that gained on what came before, and those between them
+    const auto beats_best = [&](const Plan& plan) {
+        return worth == 0 || reached(plan) < reached(plans[worth - 1]) * (1 - 1e-9);
+    };
+    // Removals that gain nothing alone may gain together: whether any do, the plan with all of them knows.
+    std::optional<Plan> all;
+    for (int removals = int(rules.force.size()); removals <= rules.removals; ++removals) {
+        plans.push_back(all && removals == rules.removals ? *all : plan_with(removals, false));
+        if (beats_best(plans.back())) {
+            worth = plans.size();
+        } else {
+            if (!all) all = plan_with(rules.removals, false);
+            // Nothing has to be removed because it may.
+            const bool worse = reached(plans.back()) > reached(plans[worth - 1]);
+            if (worse && !rules.minimise_demolition) {
+                plans.back() = instead(plans.back(), plans[worth - 1], rules.objective);
+            }
+        }
+        if (deadline.passed() || (all && !beats_best(*all))) break;
+    }
+    plans.resize(worth);
+    const bool cut = deadline.passed();
+    if (method.explain && !cut) {
+        Plan explained = plan_with(int(rules.force.size() + plans.size()) - 1, true);
+        if (reached(explained) <= reached(plans.back())) plans.back() = std::move(explained);
+    }
+    plans.back().limit_reached = plans.back().limit_reached || cut;
+    return plans;
+}
+
 // Agents that are on their way already begin there.
 void begin_on_approach(const Mission& mission, Plan& plan) {
     if (plan.status != PlanStatus::solved) return;
@@ -154,9 +203,13 @@ PathThrough Planner::path_through(const Map& map, Cell start, Cell goal, const B
 std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                                  std::optional<double> share) {
     validate(map, mission, method, limits);
-    const OpenedByThemselves opened(map, mission);
-    const InZones zoned(opened.map(), opened.mission());
-    std::vector<Plan> plans = planned(zoned.map(), zoned.mission(), method, limits, share);
+    const auto plan_zoned = [&](const Mission& asked, const Method& how, const Limits& within) {
+        const OpenedByThemselves opened(map, asked);
+        const InZones zoned(opened.map(), opened.mission());
+        return planned(zoned.map(), zoned.mission(), how, within, share);
+    };
+    std::vector<Plan> plans = has_windows(mission) ? in_windows(map, mission, method, limits, plan_zoned)
+                                                   : plan_zoned(mission, method, limits);
     for (Plan& plan : plans) plan = finished(map, mission, std::move(plan));
     return plans;
 }
@@ -302,6 +355,12 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
 
 std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
+    if (has_windows(mission)) {
+        const auto plan_all = [&](const Mission& asked, const Method& how, const Limits& within) {
+            return plan(map, asked, how, within);
+        };
+        return front_by(mission, method, limits, plan_all);
+    }
     const OpenedByThemselves opened(map, mission);
     const InZones zoned(opened.map(), opened.mission());
     const ActivePart active(zoned.mission());
@@ -315,56 +374,17 @@ std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& missio
                                            const Limits& limits) {
     const auto breaches = [](const Agent& agent) { return agent.kind == AgentKind::air || agent.own_breaches > 0; };
     if (std::ranges::none_of(mission.agents, breaches)) return {plan_active(map, mission, method, limits)};
-    const Rules& rules = mission.rules;
-    const Deadline deadline(limits.seconds);
-    const auto plan_with = [&](int removals, bool explained) {
-        Mission step = mission;
-        step.rules.removals = removals;
-        Method how = method;
-        how.explain = explained;
-        Limits left = limits;
-        left.seconds = std::max(deadline.left(), 1e-3);
+    const auto plan_with = [&](const Mission& step, const Method& how, const Limits& left) {
         if (step.clears()) return planned_clearing(map, step, how, left);
         const auto plan_step = [&](const Mission& asked, const Method& by, const Limits& within) {
-            if (drives_alone(asked) || explained) return plan_active(map, asked, by, within);
+            if (drives_alone(asked) || how.explain) return plan_active(map, asked, by, within);
             // Those with fewer removals are here anyway.
             return planned_team(map, asked, by, within, coalition::Fewer::not_tried, memory_->searcher,
                                 memory_->crossing);
         };
         return within_range(map, step, how, left, plan_step, nullptr);
     };
-    const auto reached = [&rules](const Plan& plan) {
-        return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());
-    };
-    std::vector<Plan> plans;
-    std::size_t worth = 0;  // plans that gained on what came before, and those between them
-    const auto beats_best = [&](const Plan& plan) {
-        return worth == 0 || reached(plan) < reached(plans[worth - 1]) * (1 - 1e-9);
-    };
-    // Removals that gain nothing alone may gain together: whether any do, the plan with all of them knows.
-    std::optional<Plan> all;
-    for (int removals = int(rules.force.size()); removals <= rules.removals; ++removals) {
-        plans.push_back(all && removals == rules.removals ? *all : plan_with(removals, false));
-        if (beats_best(plans.back())) {
-            worth = plans.size();
-        } else {
-            if (!all) all = plan_with(rules.removals, false);
-            // Nothing has to be removed because it may.
-            const bool worse = reached(plans.back()) > reached(plans[worth - 1]);
-            if (worse && !rules.minimise_demolition) {
-                plans.back() = instead(plans.back(), plans[worth - 1], rules.objective);
-            }
-        }
-        if (deadline.passed() || (all && !beats_best(*all))) break;
-    }
-    plans.resize(worth);
-    const bool cut = deadline.passed();
-    if (method.explain && !cut) {
-        Plan explained = plan_with(int(rules.force.size() + plans.size()) - 1, true);
-        if (reached(explained) <= reached(plans.back())) plans.back() = std::move(explained);
-    }
-    plans.back().limit_reached = plans.back().limit_reached || cut;
-    return plans;
+    return front_by(mission, method, limits, plan_with);
 }
 
 }  // namespace waybreaker

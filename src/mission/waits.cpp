@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "mission/in_windows.hpp"
+#include "mission/zone_stays.hpp"
 #include "model/timeline.hpp"
 #include "safe_interval/motion.hpp"
 #include "safe_interval/traffic.hpp"
@@ -51,6 +54,7 @@ class Causes {
     Causes(const Map& map, const Mission& mission, const Plan& plan) : map_(map), mission_(mission), plan_(plan) {
         for (const Breach& breach : plan.breaches) removed_.push_back(breach.obstacle);
         for (const TimedOpening& opening : mission.rules.opened) removed_.push_back(opening.obstacle);
+        if (has_windows(mission)) watch_.emplace(map, mission);
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air || !mission.rules.collisions) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
@@ -133,6 +137,7 @@ class Causes {
             add({rubble_from - mission_.rules.rubble, rubble_from}, WaitReason::rubble, obstacle, "");
             rubble_from -= mission_.rules.rubble;
         }
+        add_zones(agent, whole, run, found);
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
             const double reach = driver.body.reach() + disc.radius + mission_.rules.separation -
@@ -161,6 +166,23 @@ class Causes {
         std::vector<ObstacleId> obstacles;
         for (const auto& [time, obstacle] : entered) obstacles.push_back(obstacle);
         return obstacles;
+    }
+
+    // Departures at which it would be in a zone while that holds.
+    void add_zones(std::size_t agent, const Wait& whole, const Run& run, std::vector<Hindrance>& found) const {
+        if (!watch_) return;
+        const std::vector<Zone>& zones = mission_.rules.zones;
+        for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+            if (!zones[zone].has_window() || !watch_->holds_for(zone, agent)) continue;
+            for (const Stay& stay : watch_->stays(zone, agent, run.path, run.stays)) {
+                const Interval departures{zones[zone].from - stay.until, zones[zone].until - stay.from};
+                if (departures.to <= whole.from || departures.from >= whole.until) continue;
+                Wait wait = whole;
+                wait.reason = WaitReason::zone;
+                wait.zone = zone + 1;
+                found.push_back({departures, wait});
+            }
+        }
     }
 
     // Of one ground and one air agent the plan does not say who breaches.
@@ -228,7 +250,7 @@ class Causes {
         for (const Wait& part : parts) {
             const bool same = !waits.empty() && waits.back().until == part.from && waits.back().at == part.at &&
                               waits.back().reason == part.reason && waits.back().obstacle == part.obstacle &&
-                              waits.back().agent == part.agent;
+                              waits.back().agent == part.agent && waits.back().zone == part.zone;
             if (same) {
                 waits.back().until = part.until;
             } else {
@@ -242,6 +264,7 @@ class Causes {
     const Plan& plan_;
     std::vector<ObstacleId> removed_;
     std::vector<Disc> discs_;
+    std::optional<ZoneWatch> watch_;
 };
 
 }  // namespace

@@ -26,10 +26,11 @@ bool holds(const Zone& zone, const Mission& mission) {
     return std::ranges::any_of(mission.agents, is_meant);
 }
 
+// All the time.
 std::vector<Zone> those_that_hold(const Mission& mission, ZoneKind kind) {
     std::vector<Zone> zones;
     for (const Zone& zone : mission.rules.zones) {
-        if (zone.kind == kind && holds(zone, mission)) zones.push_back(zone);
+        if (zone.kind == kind && !zone.has_window() && holds(zone, mission)) zones.push_back(zone);
     }
     return zones;
 }
@@ -119,12 +120,28 @@ class ZoneRules {
             "the " + agent.id + " agent's " + what + " lies in " + name(zone) + "; move it, or leave the zone out");
     }
 
+    // Whether the zone holds at a time when an agent that starts there cannot have left yet. One that is under way is
+    // at its start when it is ready.
+    bool has_to_start_in(std::size_t zone, const Agent& agent) const {
+        const Zone& given = zones()[zone];
+        const bool begins_late = given.has_window() && given.from > agent.ready_at;
+        return !begins_late && (agent.approach.empty() || given.until > agent.ready_at);
+    }
+    // Whether it holds when an agent is at its goal, whenever it comes.
+    bool has_to_end_in(std::size_t zone, const Agent& agent) const {
+        const Zone& given = zones()[zone];
+        const bool leaves = agent.kind == AgentKind::ground && mission_.rules.at_goal == AtGoal::leave;
+        return !given.has_window() || (std::isinf(given.until) && !leaves);
+    }
+
     void validate_no_fly(std::size_t zone) const {
         const Airspace air(std::span(&zones()[zone], 1), map_.width(), map_.height());
         for (const Agent& agent : mission_.agents) {
             if (agent.kind != AgentKind::air) continue;
-            if (!air.allows(agent.begin())) refuse_place(zone, agent, "start " + text(agent.begin()));
-            if (!air.allows(agent.goal)) refuse_place(zone, agent, "goal " + text(agent.goal));
+            if (has_to_start_in(zone, agent) && !air.allows(agent.begin()))
+                refuse_place(zone, agent, "start " + text(agent.begin()));
+            if (has_to_end_in(zone, agent) && !air.allows(agent.goal))
+                refuse_place(zone, agent, "goal " + text(agent.goal));
         }
     }
 
@@ -135,9 +152,12 @@ class ZoneRules {
             const auto touches = [&](Cell at) {
                 return std::ranges::any_of(cells, [&](Cell c) { return is_touched(c, at, agent.body); });
             };
-            if (touches(agent.start)) refuse_place(zone, agent, "start " + text(agent.start));
-            if (touches(agent.goal)) refuse_place(zone, agent, "goal " + text(agent.goal));
+            if (has_to_start_in(zone, agent) && touches(agent.start))
+                refuse_place(zone, agent, "start " + text(agent.start));
+            if (has_to_end_in(zone, agent) && touches(agent.goal))
+                refuse_place(zone, agent, "goal " + text(agent.goal));
         }
+        if (zones()[zone].has_window()) return;  // before and after, what it opens is of use
         const Rules& rules = mission_.rules;
         for (const ObstacleId id : obstacles_in(map_, zones()[zone])) {
             const auto refuse = [&](const std::string& who) {

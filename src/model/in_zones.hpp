@@ -1,5 +1,6 @@
 // A mission with zones, as planning sees it: cells that vehicles keep out of are blocked for good, aircraft have their
-// airspace, and what cannot be removed for a zone is protected.
+// airspace, and what cannot be removed for a zone is protected. Zones with a window are only validated here; when they
+// hold is asked above (mission/in_windows.hpp).
 #pragma once
 
 #include <optional>
@@ -11,11 +12,12 @@
 namespace waybreaker {
 
 // Throws InputError, naming the zone, if one is not valid, holds for somebody who is not there or only for some of
-// several alike, has an agent's start or goal in it, or leaves an aircraft no way or what must be removed out of reach.
+// several alike, has an agent's start or goal in it (with a window: while the agent must be there), or leaves an
+// aircraft no way or what must be removed out of reach.
 // REQUIRES: a mission that is valid but for its zones.
 void validate_zones(const Map& map, const Mission& mission);
 
-// Gives aircraft the airspace that the zones of the mission leave them.
+// Gives aircraft the airspace that the zones of the mission without a window leave them.
 void set_airspaces(const Map& map, Mission& mission);
 
 // With an obstacle more, the last one: the cells that reach into a zone for vehicles, free ones and those of obstacles

@@ -29,6 +29,10 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
+    if (std::ranges::any_of(mission.rules.zones, &Zone::has_window))
+        contradiction(
+            "a rehearsal plays who comes late as well, and does not know zones that hold for a time only: leave "
+            "'from' and 'until' out, or the zones");
     if (!mission.rules.collisions)
         contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }

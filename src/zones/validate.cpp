@@ -1,5 +1,6 @@
 // Validates the polygons of zones.
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/range.hpp"
@@ -31,6 +32,7 @@ class ZoneCheck {
 
     void run() const {
         require_enumerator(zone_.kind, ZoneKind::keep_out, "the kind of " + who_);
+        require_window();
         if (zone_.polygon.empty()) refuse("has no polygon; give its corners");
         for (const std::vector<Point>& corners : zone_.polygon) {
             for (const Point p : corners) {
@@ -51,6 +53,11 @@ class ZoneCheck {
   private:
     [[noreturn]] void refuse(const std::string& why) const {
         throw InputError(ErrorCode::contradiction, zone_.name, who_ + " " + why);
+    }
+
+    void require_window() const {
+        if (!(zone_.from >= 0)) refuse("does not hold from a time on that is 0 or later");
+        if (!(zone_.from < zone_.until)) refuse("ends before it holds; let 'until' be after 'from'");
     }
 
     void require_simple(const Shape& shape) const {
@@ -99,7 +106,12 @@ class ZoneCheck {
 }  // namespace
 
 std::string name_of(const Zone& zone, std::size_t number) {
-    return zone.name.empty() ? "zone " + std::to_string(number) : "the zone '" + zone.name + "'";
+    std::string name = zone.name.empty() ? "zone " + std::to_string(number) : "the zone '" + zone.name + "'";
+    if (!zone.has_window()) return name;
+    const std::string from = zone.from > 0 ? "from " + number_text(zone.from) : "";
+    const bool ends = zone.until < std::numeric_limits<double>::infinity();
+    const std::string until = ends ? "until " + number_text(zone.until) : "";
+    return name + " (" + from + (from.empty() || until.empty() ? "" : " ") + until + ")";
 }
 
 void validate(const Zone& zone, std::size_t number) {

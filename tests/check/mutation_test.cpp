@@ -303,6 +303,8 @@ const std::vector<Mutation> mutations{
      }},
     {"waits to be ready", Rule::waits,
      [](LonePlan& c) { return wait_at_start(c, {.from = 0, .until = 1, .reason = WaitReason::readiness}); }},
+    {"waits for a zone that there is not", Rule::waits,
+     [](LonePlan& c) { return wait_at_start(c, {.from = 0, .until = 1, .reason = WaitReason::zone, .zone = 1}); }},
     {"waits for what is not removed", Rule::waits,
      [](LonePlan& c) {
          return wait_at_start(

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "check/hand_made.hpp"
@@ -63,6 +64,48 @@ TEST(CheckZones, FindsDrivesThatReachInside) {
               "the ground agent drives into zone 1, which it has to keep out of at 8.000");
 }
 
+// The way of 19 is in the zone from 8 to 12, its disc from 7.5 to 12.5.
+TEST(CheckZones, JudgesInTime) {
+    const auto in_time = [](ZoneKind kind, double from, double until) {
+        Zone zone = square(kind);
+        zone.from = from;
+        zone.until = until;
+        return fault(mission_with(zone), straight, straight);
+    };
+    constexpr double always = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(in_time(ZoneKind::no_fly, 0, 8), "");
+    EXPECT_EQ(in_time(ZoneKind::no_fly, 12, always), "");
+    EXPECT_EQ(in_time(ZoneKind::no_fly, 8.5, 9),
+              "the air agent flies in zone Z, where nobody may from 8.5 until 9 at 8.500");
+    EXPECT_NE(in_time(ZoneKind::no_fly, 0, 8.01), "");
+    EXPECT_NE(in_time(ZoneKind::no_fly, 11.99, always), "");
+    EXPECT_EQ(in_time(ZoneKind::keep_out, 0, 7.5), "");
+    EXPECT_EQ(in_time(ZoneKind::keep_out, 12.5, always), "");
+    EXPECT_NE(in_time(ZoneKind::keep_out, 0, 7.6), "");
+    EXPECT_NE(in_time(ZoneKind::keep_out, 12.4, always), "");
+}
+
+// Who starts in it must have left, and who ends in it stands there for ever, unless it leaves.
+TEST(CheckZones, CountsWhoStandsAtItsEnds) {
+    Zone zone = square(ZoneKind::keep_out);
+    zone.from = 100;
+    Mission mission = mission_with(zone);
+    const std::vector<Point> inwards{{0, 9}, {10, 9}};
+    mission.agents[0].goal = {10, 9};
+    EXPECT_NE(fault(mission, inwards, straight), "");
+    mission.rules.at_goal = AtGoal::leave;
+    EXPECT_EQ(fault(mission, inwards, straight), "");
+    mission.rules.zones[0].kind = ZoneKind::no_fly;
+    mission.agents[1].goal = {10, 9};
+    EXPECT_EQ(fault(mission, straight, inwards), "the air agent flies in zone Z, where nobody may from 100 at 10.00");
+    const std::vector<Point> outwards{{10, 9}, {19, 9}};
+    mission.agents[1].start = {10, 9};
+    mission.agents[1].goal = {19, 9};
+    EXPECT_EQ(fault(mission, straight, outwards), "");
+    mission.rules.zones[0].from = 1.9;
+    EXPECT_NE(fault(mission, straight, outwards), "");
+}
+
 TEST(CheckZones, PassesByZonesForOthers) {
     Mission mission = mission_with(square(ZoneKind::no_fly));
     mission.rules.zones[0].agents = {"other"};
@@ -91,6 +134,9 @@ TEST(CheckZones, FindsRemovedObstaclesThatReachInside) {
         return v.rule == Rule::zone && v.message == "obstacle 1 is removed, and reaches into zone 1";
     };
     EXPECT_EQ(std::ranges::count_if(check(map, mission, plan), is_of_zone), 1);
+    mission.rules.zones[0].until = 50;  // before and after, it is of use
+    EXPECT_EQ(std::ranges::count_if(check(map, mission, plan), is_of_zone), 0);
+    mission.rules.zones[0].until = std::numeric_limits<double>::infinity();
     mission.rules.zones[0].polygon = {{{3.5, 1}, {5, 1}, {5, 2}}};
     EXPECT_EQ(std::ranges::count_if(check(map, mission, plan), is_of_zone), 0);
 }

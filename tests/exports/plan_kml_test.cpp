@@ -101,7 +101,7 @@ TEST_F(PlanKml, HasZones) {
     EXPECT_FALSE(read_kml(placed())->GetLayerByName("zones"));
     const std::vector<Zone> zones{
         {ZoneKind::no_fly, {{{-5, 10}, {60, 20}, {30, 90}}, {{20, 30}, {30, 30}, {30, 40}}}, "Charité", {"air"}},
-        {ZoneKind::keep_out, {{{200, 10}, {260, 20}, {230, 90}}}, "", {}}};
+        {ZoneKind::keep_out, {{{200, 10}, {260, 20}, {230, 90}}}, "", {}, 10, 20}};
     PlacedPlan zoned = placed();
     zoned.zones = zones;
     const auto file = read_kml(zoned);
@@ -112,6 +112,8 @@ TEST_F(PlanKml, HasZones) {
         const Zone& zone = zones.at(i++);
         EXPECT_EQ(feature->GetFieldAsString("Name"), zone.name.empty() ? "zone 2" : zone.name);
         EXPECT_EQ(feature->GetFieldAsString("description"), std::string(i == 1 ? "no_fly for air" : "keep_out"));
+        EXPECT_EQ(feature->IsFieldSetAndNotNull(feature->GetFieldIndex("begin")), i == 2 ? 1 : 0);
+        EXPECT_EQ(feature->IsFieldSetAndNotNull(feature->GetFieldIndex("end")), i == 2 ? 1 : 0);
         const OGRPolygon& polygon = *feature->GetGeometryRef()->toPolygon();
         EXPECT_EQ(std::size_t(polygon.getNumInteriorRings()) + 1, zone.polygon.size());
         ASSERT_EQ(polygon.getExteriorRing()->getNumPoints(), 4);

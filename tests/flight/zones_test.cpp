@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flight/brute_force.hpp"
+#include "flight/local_search.hpp"
 #include "flight/long_tour.hpp"
 #include "zones/slow_zones.hpp"
 
@@ -30,6 +31,15 @@ double slow_tour(const World& world, const Airspace& air, Point at, std::vector<
         }
     }
     return least;
+}
+
+// Two stops in the hole of a zone: whichever way round, there is none.
+TEST(FlyRoundZones, TheSearchForABetterTourEndsWhereThereIsNoWay) {
+    const std::vector<Zone> zones{{.polygon = {{{2, 2}, {9, 2}, {9, 9}, {2, 9}}, {{3, 3}, {8, 3}, {8, 8}, {3, 8}}}}};
+    const Airspace air(zones, 11, 11);
+    const std::vector<Target> targets{{{1}, {{4, 4}}}, {{2}, {{6, 6}}}};
+    const Tour tour = improved_tour({0, 0}, {{0, {4, 4}}, {1, {6, 6}}}, {10, 10}, targets, air);
+    EXPECT_EQ(tour.size(), 2U);
 }
 
 RC_GTEST_PROP(FlyRoundZones, IsTheShortestPastUpToThreeObstacles, ()) {

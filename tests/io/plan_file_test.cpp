@@ -83,13 +83,14 @@ void expect_way(const Route& route, const Itinerary& agent) {
 void explain(Itinerary& agent) {
     agent.gain = *rc::gen::element(std::optional<double>(), std::optional(-0.25));
     for (int i = *number(0, 2); i > 0; --i) {
-        agent.waits.push_back(
-            {{*rc::gen::element(3.0, 2.5), 4},
-             0.1,
-             7,
-             *rc::gen::element(WaitReason::nothing, WaitReason::readiness, WaitReason::opening, WaitReason::agent),
-             {std::uint32_t(*number(0, 3))},
-             *rc::gen::element<std::string>("", "heli \"7\"")});
+        agent.waits.push_back({{*rc::gen::element(3.0, 2.5), 4},
+                               0.1,
+                               7,
+                               *rc::gen::element(WaitReason::nothing, WaitReason::readiness, WaitReason::opening,
+                                                 WaitReason::agent, WaitReason::zone),
+                               {std::uint32_t(*number(0, 3))},
+                               *rc::gen::element<std::string>("", "heli \"7\""),
+                               std::size_t(*number(0, 2))});
     }
 }
 
@@ -132,6 +133,7 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     }
     for (Itinerary& agent : plan.agents) explain(agent);
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
+    plan.barred_by = BarredBy{3, "air", 12.5};
     plan.out_of_range = {{.obstacle = {7}, .source_id = -7, .agent = "air", .flight = 1100.5, .longest = 900}};
     const PlanFile read =
         parse_plan(plan_json(plan, {file, {mission, method}, Connectivity::eight, true}), "plan.json");
@@ -180,6 +182,8 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(read.plan.next.size() == 1U);
     RC_ASSERT(read.plan.next[0].obstacle == plan.next[0].obstacle);
     RC_ASSERT(read.plan.next[0].source_id == plan.next[0].source_id);
+    RC_ASSERT(read.plan.barred_by.has_value() && read.plan.barred_by->zone == 3);
+    RC_ASSERT(read.plan.barred_by->agent == "air" && read.plan.barred_by->at == 12.5);
     RC_ASSERT(read.plan.out_of_range.size() == 1U);
     RC_ASSERT(read.plan.out_of_range[0].obstacle == plan.out_of_range[0].obstacle);
     RC_ASSERT(read.plan.out_of_range[0].source_id == plan.out_of_range[0].source_id);

@@ -53,7 +53,7 @@ TEST(ZonesJson, SaysWhatIsWrongAndWhere) {
               std::string::npos);
     EXPECT_NE(fault_of(feature(R"({"zone": "no_fly", "agents": []})", triangle)).find("names nobody"),
               std::string::npos);
-    EXPECT_NE(fault_of(feature(R"({"zone": "no_fly", "until": 5})", triangle)).find("until asks for a zone that holds"),
+    EXPECT_NE(fault_of(feature(R"({"zone": "no_fly", "until": "5"})", triangle)).find("until is not a number"),
               std::string::npos);
     EXPECT_NE(fault_of(feature(R"({"zone": "no_fly"})", R"({"type": "Point", "coordinates": [1, 2]})"))
                   .find("is none of Polygon, MultiPolygon"),
@@ -66,6 +66,18 @@ TEST(ZonesJson, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(fault_of(R"({"type": "FeatureCollection", "features": [],
                            "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}})"),
               "");
+}
+
+TEST(ZonesJson, HasTheTimesBetweenWhichItHolds) {
+    const std::string text = feature(R"({"zone": "no_fly", "from": 10.5, "until": 20})", triangle);
+    const std::vector<Zone> zones = parse_zones(text, "zones.geojson").zones;
+    ASSERT_EQ(zones.size(), 1U);
+    EXPECT_EQ(zones[0].from, 10.5);
+    EXPECT_EQ(zones[0].until, 20);
+    EXPECT_EQ(parse_zones(zones_json(zones).dump(), "again").zones, zones);
+    EXPECT_EQ(zones_json(zones)["features"][0]["properties"].dump(), R"({"zone":"no_fly","from":10.5,"until":20.0})");
+    const std::vector<Zone> always{{.polygon = zones[0].polygon}};
+    EXPECT_EQ(zones_json(always)["features"][0]["properties"].dump(), R"({"zone":"no_fly"})");
 }
 
 TEST(ZonesJson, StandsInMissionFiles) {

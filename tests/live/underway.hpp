@@ -152,6 +152,24 @@ inline Underway any_underway(int side, bool zoned = false, bool batteries = fals
     return drawn;
 }
 
+// The same with zones, most of which hold for a time only.
+inline Underway any_windowed_underway(int side) {
+    Underway drawn = any_underway(side);
+    drawn.mission.rules.zones = some_zones(side);
+    for (Zone& zone : drawn.mission.rules.zones) {
+        zone.from = *rc::gen::element(0.0, 1.0, 4.0, 9.0);
+        zone.until = *rc::gen::element(zone.from + 1, zone.from + 5, zone.from + 20, Zone().until);
+    }
+    try {
+        validate(drawn.map, drawn.mission);
+    } catch (const InputError&) {
+        RC_DISCARD("somebody starts or ends in a zone");
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    return drawn;
+}
+
 // Agents that are late, lost or have stopped, cells that are blocked.
 inline void report_any_news(Underway& mission) {
     State& state = mission.state;

@@ -41,8 +41,8 @@ void report_off_course(Underway& mission) {
     }
 }
 
-RC_GTEST_PROP(ReviseInZones, AfterAnyNewsTheRestIsValid, ()) {
-    Underway old = any_underway(14, true);
+// After three rounds of news.
+void expect_valid_after_news(Underway old) {
     Planner planner;
     for (int round = 1; round <= 3; ++round) {
         old.state.sequence = std::uint64_t(round);
@@ -64,6 +64,22 @@ RC_GTEST_PROP(ReviseInZones, AfterAnyNewsTheRestIsValid, ()) {
         old = {next->map, next->mission, next->plan, {}};
         old.state.now = since + *number(0, 6);
     }
+}
+
+RC_GTEST_PROP(ReviseInZones, AfterAnyNewsTheRestIsValid, ()) {
+    expect_valid_after_news(any_underway(14, true));
+}
+
+RC_GTEST_PROP(ReviseInZones, TheSameOfZonesThatHoldForATime, ()) {
+    expect_valid_after_news(any_windowed_underway(14));
+}
+
+RC_GTEST_PROP(ReviseInZones, WithoutNewsZonesThatHoldForATimeStayKept, ()) {
+    const Underway old = any_windowed_underway(14);
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    RC_ASSERT(next.plan.status == PlanStatus::solved);
+    RC_ASSERT(revision_faults(old, next) == "");
 }
 
 // A rover behind a wall, and an aircraft whose straight way to it leads through a zone.

@@ -43,7 +43,7 @@ TEST(Words, NameEachValueOfEachEnum) {
     expect_words(Algorithm::optimal);
     expect_words(Heuristic::zero);
     expect_words(TieBreak::g_min);
-    expect_words(WaitReason::agent);
+    expect_words(WaitReason::zone);
     expect_words(PlanStatus::stopped);
     expect_words(SearchStatus::stopped);
     expect_words(ErrorCode::option);

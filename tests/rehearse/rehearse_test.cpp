@@ -217,6 +217,13 @@ TEST(Rehearse, AnAgentInAZoneIsSeen) {
     }
 }
 
+TEST(Rehearse, RefusesZonesThatHoldForATime) {
+    Rehearsable drawn = crossing();
+    drawn.mission.rules.zones = {{.polygon = {{{2, 5}, {5, 5}, {5, 9}}}, .until = 3}};
+    EXPECT_NE(input_error([&] { (void)rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1}); }).find("'until'"),
+              std::string::npos);
+}
+
 TEST(Rehearse, CountsWhatHappens) {
     const Rehearsable drawn = crossing();
     const auto played = [&](const RehearsalOptions& options) {

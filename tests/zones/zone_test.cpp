@@ -21,6 +21,30 @@ std::string fault_of(const Zone& zone) {
 TEST(Zone, IsNamed) {
     EXPECT_EQ(name_of(zone_of({}), 2), "the zone 'harbour'");
     EXPECT_EQ(name_of(Zone{}, 2), "zone 2");
+    EXPECT_EQ(name_of(Zone{.from = 10, .until = 20.5}, 2), "zone 2 (from 10 until 20.5)");
+    EXPECT_EQ(name_of(Zone{.name = "harbour", .until = 20}, 2), "the zone 'harbour' (until 20)");
+    EXPECT_EQ(name_of(Zone{.from = 10}, 2), "zone 2 (from 10)");
+}
+
+TEST(Zone, HoldsBetweenItsTimes) {
+    Zone zone = zone_of({{{0, 0}, {4, 0}, {4, 4}}});
+    EXPECT_FALSE(zone.has_window());
+    EXPECT_TRUE(zone.holds_at(0));
+    zone.until = 20;
+    EXPECT_EQ(fault_of(zone), "");
+    EXPECT_TRUE(zone.has_window() && zone.holds_at(1) && !zone.holds_at(20));
+    zone.from = 10;
+    EXPECT_TRUE(zone.has_window() && !zone.holds_at(10) && zone.holds_at(10.5));
+    zone.from = 20;
+    EXPECT_EQ(fault_of(zone),
+              "the zone 'harbour' (from 20 until 20) ends before it holds; let 'until' be after 'from'");
+    zone.from = -1;
+    EXPECT_EQ(fault_of(zone), "the zone 'harbour' (until 20) does not hold from a time on that is 0 or later");
+    zone.from = std::nan("");
+    EXPECT_NE(fault_of(zone), "");
+    zone.from = 0;
+    zone.until = std::nan("");
+    EXPECT_NE(fault_of(zone), "");
 }
 
 TEST(Zone, HasAPolygonOfThreeCornersOrMore) {

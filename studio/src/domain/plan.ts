@@ -145,9 +145,10 @@ export interface ExplainedWait {
   at: Point;
   from: number;
   until: number;
-  reason: "nothing" | "readiness" | "opening" | "agent" | "rubble";
+  reason: "nothing" | "readiness" | "opening" | "agent" | "rubble" | "zone";
   obstacle?: number; // that is opened
   agent?: string; // who opens it, or is let past
+  zone?: number; // that is over then: which, from 1
 }
 
 export interface Plan {

@@ -8,6 +8,8 @@ export interface Zone {
   name: string; // may be empty
   agents: readonly string[]; // whom it holds for; none: all of its kind
   rings: readonly (readonly Point[])[]; // the outline, then holes; the first corner is not repeated
+  from?: number; // it holds between these, in units of time; left out: always
+  until?: number;
 }
 
 export const zoneKinds: readonly ZoneKind[] = ["no_fly", "keep_out"];
@@ -18,7 +20,7 @@ export interface ZoneCollection {
   crs: "cells";
   features: {
     type: "Feature";
-    properties: { zone: ZoneKind; name?: string; agents?: string[] };
+    properties: { zone: ZoneKind; name?: string; agents?: string[]; from?: number; until?: number };
     geometry: { type: "Polygon"; coordinates: Point[][] };
   }[];
 }
@@ -27,12 +29,17 @@ export function zoneCollection(zones: readonly Zone[]): ZoneCollection {
   return {
     type: "FeatureCollection",
     crs: "cells",
-    features: zones.map(({ kind, name, agents, rings }) => ({
+    features: zones.map(({ kind, name, agents, rings, from, until }) => ({
       type: "Feature",
-      properties: { zone: kind, ...(name !== "" && { name }), ...(agents.length > 0 && { agents: [...agents] }) },
+      properties: { zone: kind, ...(name !== "" && { name }), ...(agents.length > 0 && { agents: [...agents] }), ...windowOf(from, until) },
       geometry: { type: "Polygon", coordinates: rings.map((ring) => [...ring, ring[0]!]) },
     })),
   };
+}
+
+// No time is none of its members.
+export function windowOf(from?: number, until?: number): Pick<Zone, "from" | "until"> {
+  return { ...(from !== undefined && { from }), ...(until !== undefined && { until }) };
 }
 
 // Whether corners are cells; else they are longitude and latitude.
@@ -54,13 +61,15 @@ type Feature = { properties?: Record<string, unknown>; geometry?: { type?: strin
 
 // One for each of its polygons.
 function zonesOfFeature(feature: Feature): Zone[] | null {
-  const { zone, name = "", agents = [] } = feature?.properties ?? {};
+  const { zone, name = "", agents = [], from, until } = feature?.properties ?? {};
   const { type, coordinates } = feature?.geometry ?? {};
   const polygons = type === "MultiPolygon" ? coordinates : type === "Polygon" ? [coordinates] : null;
   const isText = (value: unknown) => typeof value === "string";
+  const isTime = (value: unknown) => value === undefined || (typeof value === "number" && value >= 0);
+  if (!isTime(from) || !isTime(until)) return null;
   const isNamed = isText(name) && Array.isArray(agents) && agents.every(isText);
   if (!zoneKinds.includes(zone as ZoneKind) || !isNamed || !Array.isArray(polygons) || !polygons.every(isPolygon)) return null;
-  const common = { kind: zone as ZoneKind, name: name as string, agents: agents as string[] };
+  const common = { kind: zone as ZoneKind, name: name as string, agents: agents as string[], ...windowOf(from as number, until as number) };
   return polygons.map((polygon: Point[][]) => ({ ...common, rings: polygon.map(opened) }));
 }
 
@@ -75,11 +84,15 @@ function opened(ring: Point[]): Point[] {
   return (isClosed ? ring.slice(0, -1) : ring).map(([x, y]): Point => [x!, y!]);
 }
 
-// In links: no_fly:helipad::250,60,330,60,345,170 and so on, one behind the other with semicolons, holes behind a slash.
+// In links: no_fly:helipad::250,60,330,60,345,170 and so on, one behind the other with semicolons, holes behind a slash;
+// at its end, where it has times, :10,20.
 export function zonesText(zones: readonly Zone[]): string {
   const escaped = (text: string) => encodeURIComponent(text);
   return zones
-    .map(({ kind, name, agents, rings }) => [kind, escaped(name), agents.map(escaped).join(), rings.map(ringText).join("/")].join(":"))
+    .map(({ kind, name, agents, rings, from, until }) => {
+      const times = from === undefined && until === undefined ? [] : [`${from ?? ""},${until ?? ""}`];
+      return [kind, escaped(name), agents.map(escaped).join(), rings.map(ringText).join("/"), ...times].join(":");
+    })
     .join(";");
 }
 
@@ -90,14 +103,17 @@ function ringText(ring: readonly Point[]): string {
 // Null where the text is none.
 export function parseZones(text: string): Zone[] | null {
   const zones = text.split(";").map((part): Zone | null => {
-    const [kind, name, agents, rings] = part.split(":");
+    const [kind, name, agents, rings, times = ""] = part.split(":");
+    const [from, until] = times.split(",").map((time) => (time === "" ? undefined : Number(time)));
     const points = (rings ?? "").split("/").map(parseRing);
     if (!zoneKinds.includes(kind as ZoneKind) || name === undefined || agents === undefined || points.includes(null)) return null;
+    if ([from, until].some((time) => time !== undefined && !(time >= 0))) return null;
     return {
       kind: kind as ZoneKind,
       name: decodeURIComponent(name),
       agents: agents === "" ? [] : agents.split(",").map(decodeURIComponent),
       rings: points as Point[][],
+      ...windowOf(from, until),
     };
   });
   return zones.includes(null) ? null : (zones as Zone[]);
@@ -162,6 +178,11 @@ export function renamedIn(zones: readonly Zone[], id: string, now: string | null
     const agents = zone.agents.flatMap((one) => (one !== id ? [one] : now === null ? [] : [now]));
     return agents.length === 0 ? [] : [{ ...zone, agents }];
   });
+}
+
+// "from 10 until 20"; empty where it holds always.
+export function windowWords({ from, until }: Pick<Zone, "from" | "until">): string {
+  return [from === undefined ? "" : `from ${from}`, until === undefined ? "" : `until ${until}`].filter((word) => word !== "").join(" ");
 }
 
 // "No-fly zone helipad", "Keep-out zone".

@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import type { Point } from "../domain/geometry";
 import type { Mission } from "../domain/mission";
-import { faultOfRing, type Zone, type ZoneKind } from "../domain/zone";
+import { faultOfRing, windowOf, type Zone, type ZoneKind } from "../domain/zone";
 import type { Editor } from "./editor";
 import type { PageState } from "./page_state";
 
@@ -40,6 +40,17 @@ export class ZoneEditor {
   // Whom it was for was of the other kind.
   setKind(index: number, kind: ZoneKind): void {
     this.#replace(index, { kind, agents: [] });
+  }
+
+  // Between which it holds; undefined: no such time.
+  setTime(index: number, which: "from" | "until", time: number | undefined): void {
+    this.#change((zones) =>
+      zones.map((zone, i) => {
+        if (i !== index) return zone;
+        const { from, until, ...rest } = { ...zone, [which]: time };
+        return { ...rest, ...windowOf(from, until) };
+      }),
+    );
   }
 
   remove(index: number): void {

@@ -1,5 +1,5 @@
 // The zones of the mission: who keeps out of which.
-import { type Zone, type ZoneKind, zoneWords } from "../domain/zone";
+import { windowWords, type Zone, type ZoneKind, zoneWords } from "../domain/zone";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { IconButton, Section } from "./controls";
@@ -15,6 +15,7 @@ export function Zones({ page, studio }: { page: PageState; studio: Studio | null
           <li key={i} class="zone" onPointerEnter={() => (page.pointedZone.value = i)} onPointerLeave={() => (page.pointedZone.value = null)}>
             <ZoneSample kind={zone.kind} />
             {studio ? <ZoneFields studio={studio} zone={zone} index={i} /> : <Name of={zoneWords(zone)} />}
+            {!studio && windowWords(zone) !== "" && <span class="zone-agents">{windowWords(zone)}</span>}
             {zone.agents.length > 0 && <span class="zone-agents">for {zone.agents.join(", ")}</span>}
           </li>
         ))}
@@ -47,7 +48,29 @@ function ZoneFields({ studio, zone, index }: { studio: Studio; zone: Zone; index
         <option value="keep_out">vehicles</option>
       </select>
       <IconButton icon="close" kind="small" label={`Remove ${which}`} onClick={() => studio.zones.remove(index)} />
+      <span class="zone-times">
+        holds from <ZoneTime studio={studio} zone={zone} index={index} end="from" /> until{" "}
+        <ZoneTime studio={studio} zone={zone} index={index} end="until" />
+      </span>
     </>
+  );
+}
+
+// Empty: no such time. In units of time, as all times of missions.
+function ZoneTime({ studio, zone, index, end }: { studio: Studio; zone: Zone; index: number; end: "from" | "until" }) {
+  return (
+    <input
+      type="number"
+      min="0"
+      step="any"
+      aria-label={`Zone ${index + 1} holds ${end}`}
+      placeholder={end === "from" ? "the start" : "the end"}
+      value={zone[end] ?? ""}
+      onChange={({ currentTarget }) => {
+        const time = currentTarget.valueAsNumber;
+        studio.zones.setTime(index, end, time >= 0 ? time : undefined);
+      }}
+    />
   );
 }
 

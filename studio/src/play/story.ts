@@ -37,6 +37,7 @@ export class Story {
     if (reason === "opening" && agent === undefined) return "waits for what opens by itself";
     if (reason === "opening" && agent === id) return `opens ${this.#numbers.get(obstacle!)}`;
     if (reason === "opening") return `waits for ${nameOf({ id: agent!, kind: "air" })} to open ${this.#numbers.get(obstacle!)}`;
+    if (reason === "zone") return "waits until a zone is over";
     return "waits";
   }
 

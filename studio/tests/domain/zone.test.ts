@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/domain/geometry";
 import { cellsAt } from "../../src/domain/map";
-import { faultOfRing, isInCells, parseZones, renamedIn, type Zone, zoneCollection, zonesOf, zonesText, zoneWords } from "../../src/domain/zone";
+import { faultOfRing, isInCells, parseZones, renamedIn, type Zone, zoneCollection, zonesOf, windowWords, zonesText, zoneWords } from "../../src/domain/zone";
 
 const square: Point[] = [[0, 0], [4, 0], [4, 4], [0, 4]];
 const hole: Point[] = [[1, 1], [2, 1], [2, 2]];
@@ -17,6 +17,21 @@ it("stands in files as GeoJSON in cells, and comes back", () => {
   expect(collection.features[0]!.properties).toEqual({ zone: "no_fly", name: "helipad; 2", agents: ["heli"] });
   expect(collection.features[1]!.properties).toEqual({ zone: "keep_out" });
   expect(zonesOf(JSON.parse(JSON.stringify(collection)))).toEqual(zones);
+});
+
+it("has times where it holds for a time only", () => {
+  const timed: Zone[] = [{ ...zones[1]!, from: 10, until: 20.5 }, { ...zones[1]!, until: 5 }, { ...zones[1]!, from: 0 }];
+  const collection = zoneCollection(timed);
+  expect(collection.features.map(({ properties }) => properties)).toEqual([
+    { zone: "keep_out", from: 10, until: 20.5 },
+    { zone: "keep_out", until: 5 },
+    { zone: "keep_out", from: 0 },
+  ]);
+  expect(zonesOf(JSON.parse(JSON.stringify(collection)))).toEqual(timed);
+  expect(zonesText(timed.slice(0, 2))).toBe("keep_out:::0,0,4,0,4,4,0,4:10,20.5;keep_out:::0,0,4,0,4,4,0,4:,5");
+  expect(parseZones(zonesText(timed))).toEqual(timed);
+  expect(parseZones("keep_out:::0,0,4,0,4,4,0,4:-1,")).toBeNull();
+  expect(timed.map(windowWords)).toEqual(["from 10 until 20.5", "until 5", "from 0"]);
 });
 
 it("is several where a feature has several polygons", () => {
@@ -47,6 +62,7 @@ it.each([
   { crs: "cells", features: [{ properties: { zone: "no_fly" }, geometry: { type: "Point", coordinates: [1, 2] } }] },
   { crs: "cells", features: [{ properties: { zone: "no_fly" }, geometry: { type: "Polygon", coordinates: [[["a", 1]]] } }] },
   { crs: "cells", features: [{ properties: { zone: "no_fly", name: 7 }, geometry: { type: "Polygon", coordinates: [square] } }] },
+  { crs: "cells", features: [{ properties: { zone: "no_fly", until: "soon" }, geometry: { type: "Polygon", coordinates: [square] } }] },
   { crs: "cells", features: [{ properties: { zone: "no_fly", agents: [7] }, geometry: { type: "Polygon", coordinates: [square] } }] },
 ])("is none in %j", (value) => {
   expect(zonesOf(value)).toBeNull();

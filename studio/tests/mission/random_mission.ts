@@ -56,6 +56,7 @@ function randomZones(random: Random): Zone[] {
     name: random.oneOf(["", "helipad", "a;b:c/d,e & 100 % ü"]),
     agents: random.oneOf([[], [], ["air"], ["truck,~%é& ", "b:c"]]),
     rings: Array.from({ length: 1 + random.below(2) }, ring),
+    ...random.oneOf([{}, {}, { from: 10.5 }, { until: 20 }, { from: 0, until: 1e-3 }]),
   }));
 }
 

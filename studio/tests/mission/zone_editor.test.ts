@@ -52,6 +52,11 @@ it("is renamed in one step, changes its kind, and goes", async () => {
   studio.undo();
   studio.undo();
   expect(zones()[0]).toMatchObject({ kind: "no_fly", name: "" });
+  studio.zones.setTime(0, "from", 10);
+  studio.zones.setTime(0, "until", 20);
+  expect(zones()[0]).toMatchObject({ from: 10, until: 20 });
+  studio.zones.setTime(0, "from", undefined);
+  expect(zones()[0]).not.toHaveProperty("from");
   studio.zones.remove(0);
   expect(zones()).toEqual([]);
   await settle();
