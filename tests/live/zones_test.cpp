@@ -107,6 +107,24 @@ const Itinerary& aircraft_of(const Plan& plan) {
     return *std::ranges::find(plan.agents, AgentKind::air, &Itinerary::kind);
 }
 
+TEST(ReviseInZones, AnAircraftFliesOutOfAZoneThatHoldsNowAndOnWhereItDoesNotYet) {
+    for (const bool holds : {true, false}) {
+        Underway old = round_a_zone();
+        Zone& zone = old.mission.rules.zones.front();
+        zone.from = holds ? 0 : 20;
+        zone.until = 50;
+        old.plan = Planner().plan(old.map, old.mission);
+        ASSERT_EQ(old.plan.status, PlanStatus::solved);
+        old.state.agents = {{.id = "air", .passed = 0, .at = Point(3.75, 3)}};
+        Planner planner;
+        const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+        ASSERT_EQ(next.plan.status, PlanStatus::solved);
+        EXPECT_EQ(revision_faults(old, next), "");
+        const std::vector<Waypoint>& path = aircraft_of(next.plan).path;
+        EXPECT_EQ(path[1] == Waypoint(3, 3, 1.75), holds);
+    }
+}
+
 // Of the cells outside, (3, 3) is the nearest.
 TEST(ReviseInZones, AnAircraftFoundInAZoneFliesStraightOut) {
     Underway old = round_a_zone();

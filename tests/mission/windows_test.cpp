@@ -362,6 +362,22 @@ TEST(WindowedMission, IsRefusedWhereAnAgentMustBeInAZoneThatHolds) {
     EXPECT_EQ(fault(mission), "");
 }
 
+// Without the zone a vehicle that clears states no bound here; that of the mission with it is none.
+TEST(WindowedMission, StatesNoBoundOfAnotherMission) {
+    const Map map = Map::from_rows({"..a...", "......", "......", "......"});
+    Mission mission = ground_and_air({5, 0}, {5, 0});
+    mission.agents[0].own_breaches = 1;
+    mission.agents[1].start = {0, 0};
+    mission.agents[1].goal = {0, 3};
+    mission.rules.zones = {box(ZoneKind::no_fly, {-1, 2}, {1, 4}, 9.5, 12.5)};
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    EXPECT_NEAR(plan.agents[1].path.back().t, 13.5, 1e-9);
+    Mission free = mission;
+    free.rules.zones.clear();
+    EXPECT_EQ(plan.bound, Planner().plan(map, free).bound);
+}
+
 TEST(WindowedMission, AlternativesKeepOutOfZonesToo) {
     const Map map(Grid(12, 12));
     const Mission mission = past_a_box(ZoneKind::no_fly, 1, 3.25);
