@@ -90,8 +90,8 @@ class WindowSearch {
                 continue;
             }
             if (!nearest_) nearest_ = node.breach;
-            hold_all_the_time(node);
-            set_out_later(node);
+            hold_all_the_time(node, *node.breach);
+            set_out_later(node, *node.breach);
         }
         return finished(relaxed);
     }
@@ -142,14 +142,13 @@ class WindowSearch {
             limits_.progress({node.reached, std::min(relaxed.bound.value_or(0), node.reached)});
     }
 
-    void hold_all_the_time(const Node& node) {
+    void hold_all_the_time(const Node& node, const ZoneBreach& breach) {
         Node next{node.agents, node.permanent};
-        next.permanent[node.breach->zone] = true;
+        next.permanent[breach.zone] = true;
         add(std::move(next));
     }
 
-    void set_out_later(const Node& node) {
-        const ZoneBreach& breach = *node.breach;
+    void set_out_later(const Node& node, const ZoneBreach& breach) {
         const Zone& zone = mission_.rules.zones[breach.zone];
         if (std::isinf(zone.until) || !breach.stay.entered || !can_stand(mission_, node, breach.agent)) return;
         Node next{node.agents, node.permanent};
