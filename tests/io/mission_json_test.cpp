@@ -74,6 +74,7 @@ MissionDocument any_document() {
                        .bound = *rc::gen::arbitrary<bool>(),
                        .explain = *rc::gen::arbitrary<bool>()};
     document.limits.seconds = *rc::gen::element(10.0, 0.25, infinity);
+    document.mission.rules.rubble = *rc::gen::element(0.0, 0.0, 12.5);
     document.mission.rules.minimise_demolition = *rc::gen::element(std::optional<double>(), std::optional(0.01));
     document.in_seconds = *rc::gen::arbitrary<bool>();
     if (*rc::gen::arbitrary<bool>()) document.protect_tags = {{"amenity", {"school", "a \"b*"}}, {"historic"}};
@@ -108,6 +109,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(read.overlays == written.overlays);
     RC_ASSERT(rules.protect == written.mission.rules.protect);
     RC_ASSERT(read.in_seconds == written.in_seconds);
+    RC_ASSERT(rules.rubble == written.mission.rules.rubble);
     RC_ASSERT(rules.minimise_demolition == written.mission.rules.minimise_demolition);
     RC_ASSERT(read.protect_tags.size() == written.protect_tags.size());
     for (std::size_t i = 0; i < read.protect_tags.size(); ++i) {

@@ -159,6 +159,7 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.rules.at_goal = AtGoal::leave;
     document.mission.rules.collisions = false;
     document.mission.rules.unreached = 600;
+    document.mission.rules.rubble = 20;
     document.mission.agents[0].weight = 40;
     document.mission.agents[0].ready_at = 3;
     document.mission.agents[0].approach = {{0, 1, 2}, {0, 0, 3}};
