@@ -25,6 +25,13 @@ void for_each_side(const std::vector<std::vector<Point>>& polygon, const Visit& 
     }
 }
 
+double from_side(Point p, Point a, Point b) {
+    const Point side{b.x - a.x, b.y - a.y};
+    const double square = side.x * side.x + side.y * side.y;
+    const double along = square == 0 ? 0 : ((p.x - a.x) * side.x + (p.y - a.y) * side.y) / square;
+    return distance(p, between(a, b, std::clamp(along, 0.0, 1.0)));
+}
+
 // The shares at which a coordinate is between two values.
 std::optional<Stretch> within(double from, double to, double least, double most) {
     if (from == to) return least < from && from < most ? std::optional(Stretch{}) : std::nullopt;
@@ -127,8 +134,9 @@ std::vector<Stretch> Closed::in_polygon(Point a, Point b) const {
     std::ranges::sort(shares);
     std::vector<Stretch> inside;
     for (std::size_t i = 1; i < shares.size(); ++i) {
-        if (shares[i - 1] < shares[i] && holds(between(a, b, (shares[i - 1] + shares[i]) / 2)))
-            inside.push_back({shares[i - 1], shares[i]});
+        const Stretch part{shares[i - 1], shares[i]};
+        if (part.from == part.to || is_along_outline(between(a, b, part.from), between(a, b, part.to))) continue;
+        if (holds(between(a, b, (part.from + part.to) / 2))) inside.push_back(part);
     }
     return joined(std::move(inside));
 }
@@ -143,13 +151,17 @@ bool Closed::holds(Point p) const {
 
 double Closed::from_outline(Point p) const {
     double least = std::numeric_limits<double>::infinity();
-    for_each_side(polygon_, [&](Point a, Point b) {
-        const Point side{b.x - a.x, b.y - a.y};
-        const double square = side.x * side.x + side.y * side.y;
-        const double along = square == 0 ? 0 : ((p.x - a.x) * side.x + (p.y - a.y) * side.y) / square;
-        least = std::min(least, distance(p, between(a, b, std::clamp(along, 0.0, 1.0))));
-    });
+    for_each_side(polygon_, [&](Point a, Point b) { least = std::min(least, from_side(p, a, b)); });
     return least;
+}
+
+// All between two places that are near to one side is.
+bool Closed::is_along_outline(Point a, Point b) const {
+    bool is_near = false;
+    for_each_side(polygon_, [&](Point c, Point d) {
+        is_near = is_near || (from_side(a, c, d) <= margin && from_side(b, c, d) <= margin);
+    });
+    return is_near;
 }
 
 }  // namespace waybreaker::zones

@@ -1,4 +1,5 @@
-// Stretches: where on a straight move somebody is in a zone. In reals; who goes along an outline may count as inside.
+// Stretches: where on a straight move somebody is in a zone. In reals, to within `margin`: who goes along an outline is
+// not.
 #pragma once
 
 #include <vector>
@@ -36,6 +37,7 @@ class Closed {
     std::vector<Stretch> in_polygon(Point a, Point b) const;
     bool holds(Point p) const;
     double from_outline(Point p) const;
+    bool is_along_outline(Point a, Point b) const;
 
     std::vector<std::vector<Point>> polygon_;  // of a zone for aircraft
     std::vector<Run> runs_;                    // of one for vehicles

@@ -283,6 +283,16 @@ TEST(WindowedMission, FliesOnWhereTheZoneIsOverOrHasNotBegun) {
     }
 }
 
+// Along its side while it holds, and then in.
+TEST(WindowedMission, MayFlyAlongAZone) {
+    const Map map(Grid(12, 12));
+    Mission mission = ground_and_air({7, 0}, {7, 4});
+    mission.rules.zones = {{.polygon = {{{9, 4}, {9, 5}, {5, 7}, {7, 3}, {7, -1}, {9, 3}}}, .from = 1.5, .until = 2.5}};
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    EXPECT_EQ(plan.agents[1].path, (Path{{7, 0, 0}, {7, 4, 4}}));
+}
+
 TEST(WindowedMission, WaitsOrFliesRound) {
     const Map map(Grid(12, 12));
     const Mission soon_over = past_a_box(ZoneKind::no_fly, 1, 3.25);
