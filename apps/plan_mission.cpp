@@ -128,7 +128,7 @@ void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDo
     const auto metric = [](const std::optional<Measure>& measure) { return measure && measure->metric; };
     const std::optional<Measure>* const times[] = {&options.breach_time, &options.breach_time_per_cell, &options.rubble,
                                                    &options.endurance};
-    const auto metric_time = std::ranges::find_if(times, [&](const auto* time) { return metric(*time); });
+    const auto* const metric_time = std::ranges::find_if(times, [&](const auto* time) { return metric(*time); });
     const auto given = [&options](const Agent& agent) -> const std::optional<Measure>& {
         return agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
     };
