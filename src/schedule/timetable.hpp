@@ -39,12 +39,12 @@ struct TimedDrive {
     std::vector<Waypoint> path;                     // with waits: a point twice
     std::vector<std::optional<double>> entered_at;  // as the breachings: when it first touches each obstacle
 };
-// It waits for each obstacle at the last turn before it touches it. `driven`: as above. `cleared`: as the breachings; a
-// delay is one that is longer than `rounding`.
-TimedDrive drive_in_time(std::span<const Waypoint> driven, const Rules& rules, std::span<const Breaching> breachings,
+// It waits for each obstacle at the last turn before it touches it. `turns`: drive_through(). `cleared`: as the
+// breachings; a delay is one that is longer than `rounding`.
+TimedDrive drive_in_time(std::span<const Waypoint> turns, const Rules& rules, std::span<const Breaching> breachings,
                          std::span<const double> cleared, std::span<const Due> given, double rounding);
 
-// `driven`: as above. `breachings` as flight.breaches.
+// `driven`: drive_through(). `breachings` as flight.breaches.
 Schedule timetable(const ScheduleTask& task, std::span<const Waypoint> driven, const Flight& flight,
                    std::span<const Breaching> breachings, std::span<const Due> given);
 

@@ -176,7 +176,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     if (opening_times.matter() && task.rules.rubble > 0) {
         // A search in time knows the rubble of one obstacle only; one at once, of all that are crossed.
         OpeningTimes at_once = OpeningTimes::at_once(task);
-        const Bound priced = prove_by_search(task, crossing, reached, deadline, at_once, proven, expected, expansions);
+        Bound priced = prove_by_search(task, crossing, reached, deadline, at_once, proven, expected, expansions);
         if (task.worth(reached) <= priced.objective) return priced;
         proven = std::max(proven, priced.objective);
     }
