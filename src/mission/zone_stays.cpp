@@ -66,9 +66,9 @@ std::vector<Stay> stays_in(const zones::Closed& zone, std::span<const Waypoint> 
 }
 
 ZoneWatch::ZoneWatch(const Map& map, const Mission& mission) : mission_(mission) {
-    for (const Zone& zone : mission.rules.zones) {
-        std::optional<zones::Closed>& closed = closed_.emplace_back();
-        if (zone.has_window()) closed.emplace(zone, map.width(), map.height());
+    const std::vector<Zone>& zones = mission.rules.zones;
+    for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+        if (zones[zone].has_window()) closed_.try_emplace(zone, zones[zone], map.width(), map.height());
     }
 }
 
@@ -83,28 +83,30 @@ std::vector<Stay> ZoneWatch::stays(std::size_t zone, std::size_t agent, std::spa
                                    bool stays) const {
     const Agent& asked = mission_.agents[agent];
     const double radius = asked.kind == AgentKind::ground ? asked.body.reach() : 0;
-    return stays_in(*closed_[zone], path, radius, stays);
+    return stays_in(closed_.at(zone), path, radius, stays);
+}
+
+void ZoneWatch::add_first_breach(std::size_t zone, std::size_t agent, std::span<const Waypoint> path,
+                                 std::vector<ZoneBreach>& breaches) const {
+    const Zone& given = mission_.rules.zones[zone];
+    const Agent& asked = mission_.agents[agent];
+    const bool vanishes = asked.kind == AgentKind::ground && mission_.rules.at_goal == AtGoal::leave;
+    const std::vector<Stay> all = stays(zone, agent, judged_part(asked, path), !vanishes);
+    const auto is_one = [&](const Stay& stay) { return is_breached(given, stay, asked.speed); };
+    const auto first = std::ranges::find_if(all, is_one);
+    if (first != all.end()) breaches.push_back({zone, agent, std::max(given.from, first->from), *first});
 }
 
 std::optional<ZoneBreach> ZoneWatch::first_breach(const Plan& plan, const std::vector<bool>& passed) const {
-    std::optional<ZoneBreach> first;
-    for (std::size_t zone = 0; zone < closed_.size(); ++zone) {
-        if (!closed_[zone] || passed[zone]) continue;
-        const Zone& given = mission_.rules.zones[zone];
+    std::vector<ZoneBreach> breaches;
+    for (const auto& [zone, closed] : closed_) {
+        if (passed[zone]) continue;
         for (std::size_t agent = 0; agent < plan.agents.size(); ++agent) {
-            if (!holds_for(zone, agent)) continue;
-            const Agent& asked = mission_.agents[agent];
-            const bool vanishes = asked.kind == AgentKind::ground && mission_.rules.at_goal == AtGoal::leave;
-            for (const Stay& stay : stays(zone, agent, judged_part(asked, plan.agents[agent].path), !vanishes)) {
-                const double at = std::max(given.from, stay.from);
-                if (first && first->at <= at) break;
-                if (!is_breached(given, stay, asked.speed)) continue;
-                first = ZoneBreach{zone, agent, at, stay};
-                break;
-            }
+            if (holds_for(zone, agent)) add_first_breach(zone, agent, plan.agents[agent].path, breaches);
         }
     }
-    return first;
+    if (breaches.empty()) return std::nullopt;
+    return *std::ranges::min_element(breaches, {}, &ZoneBreach::at);
 }
 
 }  // namespace waybreaker

@@ -1,6 +1,7 @@
 // When agents are in zones, from a plan alone.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,8 +48,12 @@ class ZoneWatch {
     bool holds_for(std::size_t zone, std::size_t agent) const;
 
   private:
+    // The first of an agent on that path in that zone, if there is one.
+    void add_first_breach(std::size_t zone, std::size_t agent, std::span<const Waypoint> path,
+                          std::vector<ZoneBreach>& breaches) const;
+
     const Mission& mission_;
-    std::vector<std::optional<zones::Closed>> closed_;  // by zone; of those that have a window
+    std::map<std::size_t, zones::Closed> closed_;  // by zone; of those that have a window
 };
 
 }  // namespace waybreaker
