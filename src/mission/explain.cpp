@@ -6,6 +6,8 @@
 namespace waybreaker {
 namespace {
 
+constexpr double least_seconds_again = 1e-3;  // of one planning, however little is left
+
 // The best that the selection finds under other rules.
 class OtherRules {
   public:
@@ -27,6 +29,35 @@ class OtherRules {
     Selector& selector_;
     const Candidate& baseline_;
 };
+
+// What the objective would lose without each removal, and the next one.
+void explain_removals(const Map& map, const Mission& mission, const Deadline& deadline,
+                      const std::function<Plan(const Mission&)>& planned, Plan& plan) {
+    const Objective objective = mission.rules.objective;
+    const auto reached_by = [objective](const Plan& made) {
+        return value(made.after, objective).value_or(std::numeric_limits<double>::infinity());
+    };
+    const double reached = reached_by(plan);
+    for (Breach& breach : plan.breaches) {
+        Mission without = mission;
+        without.rules.protect.push_back(breach.obstacle);
+        std::erase(without.rules.force, breach.obstacle);
+        const Plan other = planned(without);
+        if (deadline.passed() || (other.status != PlanStatus::solved && other.status != PlanStatus::no_plan)) return;
+        breach.saves = reached_by(other) - reached;
+    }
+    Mission more = mission;
+    ++more.rules.removals;
+    const Plan other = planned(more);
+    if (deadline.passed() || other.status != PlanStatus::solved) return;
+    const double gain = reached - reached_by(other);
+    if (gain <= 0 || other.breaches.size() <= std::size_t(mission.rules.removals)) return;
+    for (const Breach& breach : other.breaches) {
+        if (std::ranges::find(plan.breaches, breach.obstacle, &Breach::obstacle) != plan.breaches.end()) continue;
+        plan.next.push_back({breach.obstacle, map.obstacle(breach.obstacle).source_id, gain});
+        return;
+    }
+}
 
 }  // namespace
 
@@ -55,32 +86,16 @@ void explain(const Task& task, const Searchers& searchers, Selector& selector, c
     }
 }
 
-void explain_team(const Map& map, const Mission& mission, const Deadline& deadline,
-                  const std::function<Plan(const Mission&)>& planned, Plan& plan) {
-    const Objective objective = mission.rules.objective;
-    const auto reached_by = [objective](const Plan& made) {
-        return value(made.after, objective).value_or(std::numeric_limits<double>::infinity());
+void explain_team(const Map& map, const Mission& mission, const Limits& limits, const Deadline& deadline,
+                  const std::function<Plan(const Mission&, const Limits&)>& planned, Plan& plan) {
+    const auto planned_in_time = [&](const Mission& other) {
+        Limits left = limits;
+        left.seconds = std::max(deadline.left(), least_seconds_again);
+        left.progress = nullptr;
+        return planned(other, left);
     };
-    const double reached = reached_by(plan);
-    for (Breach& breach : plan.breaches) {
-        Mission without = mission;
-        without.rules.protect.push_back(breach.obstacle);
-        std::erase(without.rules.force, breach.obstacle);
-        const Plan other = planned(without);
-        if (deadline.passed() || (other.status != PlanStatus::solved && other.status != PlanStatus::no_plan)) return;
-        breach.saves = reached_by(other) - reached;
-    }
-    Mission more = mission;
-    ++more.rules.removals;
-    const Plan other = planned(more);
-    if (deadline.passed() || other.status != PlanStatus::solved) return;
-    const double gain = reached - reached_by(other);
-    if (gain <= 0 || other.breaches.size() <= std::size_t(mission.rules.removals)) return;
-    for (const Breach& breach : other.breaches) {
-        if (std::ranges::find(plan.breaches, breach.obstacle, &Breach::obstacle) != plan.breaches.end()) continue;
-        plan.next.push_back({breach.obstacle, map.obstacle(breach.obstacle).source_id, gain});
-        return;
-    }
+    explain_removals(map, mission, deadline, planned_in_time, plan);
+    explain_agents(mission, plan);
 }
 
 void explain_agents(const Mission& mission, Plan& plan) {

@@ -14,9 +14,10 @@ namespace waybreaker {
 void explain(const Task& task, const Searchers& searchers, Selector& selector, const Candidate& baseline,
              const Candidate& best, Plan& plan);
 
-// The same for a team: `planned` plans it under other rules, and there is time until the deadline.
-void explain_team(const Map& map, const Mission& mission, const Deadline& deadline,
-                  const std::function<Plan(const Mission&)>& planned, Plan& plan);
+// The same for a team, and what each ground agent gains: `planned` plans it under other rules, within the limits in the
+// time that is left until the deadline.
+void explain_team(const Map& map, const Mission& mission, const Limits& limits, const Deadline& deadline,
+                  const std::function<Plan(const Mission&, const Limits&)>& planned, Plan& plan);
 
 // Fills in what each ground agent gains. REQUIRES: the plan is solved, and its agents are the mission's.
 void explain_agents(const Mission& mission, Plan& plan);

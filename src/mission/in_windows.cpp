@@ -249,14 +249,10 @@ std::vector<Plan> in_windows(const Map& map, const Mission& mission, const Metho
     std::vector<Plan> plans = WindowSearch(map, mission, plain, limits, planned).run();
     Plan& plan = plans.front();
     if (!method.explain || plan.status != PlanStatus::solved) return plans;
-    const auto again = [&](const Mission& other) {
-        Limits left = limits;
-        left.seconds = std::max(deadline.left(), least_seconds);
-        left.progress = nullptr;
+    const auto again = [&](const Mission& other, const Limits& left) {
         return WindowSearch(map, other, plain, left, planned).run().front();
     };
-    explain_team(map, mission, deadline, again, plan);
-    explain_agents(mission, plan);
+    explain_team(map, mission, limits, deadline, again, plan);
     plan.seconds.total = total.seconds();
     return plans;
 }

@@ -80,16 +80,10 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
     const Deadline deadline(limits.seconds);
     Plan plan = planned_team(map, mission, method, limits, Fewer::tried, searcher, crossing, evaluated);
     if (!method.explain || plan.status != PlanStatus::solved) return plan;
-    explain_team(
-        map, mission, deadline,
-        [&](const Mission& other) {
-            Limits left = limits;
-            left.seconds = std::max(deadline.left(), 1e-3);
-            left.progress = nullptr;
-            return plan_team(map, other, method, left, Fewer::tried, searcher, crossing);
-        },
-        plan);
-    explain_agents(mission, plan);
+    const auto again = [&](const Mission& other, const Limits& left) {
+        return plan_team(map, other, method, left, Fewer::tried, searcher, crossing);
+    };
+    explain_team(map, mission, limits, deadline, again, plan);
     plan.seconds.total = total.seconds();
     return plan;
 }
@@ -264,16 +258,7 @@ Plan Planner::planned_clearing(const Map& map, const Mission& mission, const Met
     };
     Plan plan = plan_all(mission, limits);
     if (!method.explain || plan.status != PlanStatus::solved) return plan;
-    explain_team(
-        map, mission, deadline,
-        [&](const Mission& other) {
-            Limits left = limits;
-            left.seconds = std::max(deadline.left(), 1e-3);
-            left.progress = nullptr;
-            return plan_all(other, left);
-        },
-        plan);
-    explain_agents(mission, plan);
+    explain_team(map, mission, limits, deadline, plan_all, plan);
     return plan;
 }
 

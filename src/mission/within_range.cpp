@@ -77,9 +77,8 @@ Plan within_range(const Map& map, const Mission& mission, const Method& method, 
         std::erase_if(evaluated->plans, [&](const Plan& other) { return !keeps_range(mission, other); });
     const std::size_t others = evaluated != nullptr ? evaluated->plans.size() : 0;
     if (method.explain && plan.status == PlanStatus::solved) {
-        const auto again = [&](const Mission& other) { return planned(other, plain, in_time(1)); };
-        explain_team(map, protecting_out_of_range(map, mission), deadline, again, plan);
-        explain_agents(mission, plan);
+        const auto again = [&](const Mission& other, const Limits& left) { return planned(other, plain, left); };
+        explain_team(map, protecting_out_of_range(map, mission), limits, deadline, again, plan);
         for (const Breach& breach : beyond) {
             if (auto why = out_of_range(map, mission, breach.obstacle)) plan.out_of_range.push_back(std::move(*why));
         }

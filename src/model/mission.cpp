@@ -89,8 +89,9 @@ void validate(const Map& map, const Rules& rules) {
     require_range(rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
     require_range(rules.rubble, 0, most_breach_time, "the time that rubble takes");
     if (rules.rubble > 0 && rules.timing == Timing::ignore) {
-        throw InputError(ErrorCode::contradiction, "rubble",
-                         "rubble takes time only where obstacles stand in time (timing: enforce)");
+        throw InputError(
+            ErrorCode::contradiction, "rubble",
+            "rubble takes time only where obstacles stand in time: leave it out, or let the timing be enforced");
     }
     const std::size_t obstacles = map.obstacles().size();
     const auto require_known = [&](ObstacleId id, const std::string& purpose) {

@@ -24,8 +24,9 @@ std::vector<double> stands_on(const Map& map, std::span<const Point> path, const
 
 std::vector<Waypoint> timed_through(const Map& map, std::span<const Point> path, const Body& body, double speed,
                                     double from, const Rubble& rubble) {
+    std::vector<Waypoint> driven = timed(path, speed, from);
+    if (rubble.time == 0 || rubble.obstacles.empty()) return driven;
     const std::vector<double> stands = stands_on(map, path, body, rubble);
-    const std::vector<Waypoint> driven = timed(path, speed, from);
     std::vector<Waypoint> stopped;
     double delay = 0;
     for (std::size_t i = 0; i < driven.size(); ++i) {

@@ -32,8 +32,11 @@ double rubble_before(const OpenedMap& map, Cell from, Cell to, const SafeInterva
 std::vector<Waypoint> driven(const OpenedMap& map, std::span<const Cell> way, const SafeIntervalOptions& options) {
     std::vector<Cell> turns;
     std::ranges::unique_copy(way, std::back_inserter(turns));
-    const std::vector<double> stands = stands_on(map.map(), std::vector<Point>(turns.begin(), turns.end()),
-                                                 options.body, {map.removed(), options.rubble});
+    std::vector<double> stands(turns.size(), 0);
+    if (options.rubble > 0) {
+        const std::vector<Point> places(turns.begin(), turns.end());
+        stands = stands_on(map.map(), places, options.body, {map.removed(), options.rubble});
+    }
     std::vector<Waypoint> path{{double(turns[0].x), double(turns[0].y), options.since}};
     double time = options.ready_at;
     const auto stand_until = [&](double until) {

@@ -56,7 +56,7 @@ class ZoneCheck {
     }
 
     void require_window() const {
-        if (!(zone_.from >= 0)) refuse("does not hold from a time on that is 0 or later");
+        if (!(zone_.from >= 0)) refuse("begins to hold at no time of a mission; let 'from' be 0 or more");
         if (!(zone_.from < zone_.until)) refuse("ends before it holds; let 'until' be after 'from'");
     }
 

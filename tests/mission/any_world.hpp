@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "random_map.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 
@@ -17,6 +18,15 @@ struct World {
     Map map;
     Mission mission;
 };
+
+inline bool is_plannable(const World& world) {
+    try {
+        validate(world.map, world.mission);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
 
 inline constexpr std::uint32_t river = 4;
 

@@ -74,15 +74,6 @@ World any_team_with_rubble() {
     return world;
 }
 
-bool can_be_planned(const World& world) {
-    try {
-        validate(world.map, world.mission, {}, {});
-    } catch (const InputError&) {
-        return false;
-    }
-    return true;
-}
-
 Method any_selection() {
     Method method;
     method.select = *rc::gen::element(Selection::exact, Selection::exact, Selection::exact, Selection::greedy);
@@ -108,13 +99,13 @@ void expect_laws(const World& world, const Method& method) {
 
 RC_GTEST_PROP(Rubble, PlansOfPairsAreValidAndNoWorseThanToRemoveNothing, ()) {
     const World world = any_pair_with_rubble();
-    RC_PRE(can_be_planned(world));
+    RC_PRE(is_plannable(world));
     expect_laws(world, any_selection());
 }
 
 RC_GTEST_PROP(Rubble, PlansOfTeamsAreValidAndNoWorseThanToRemoveNothing, ()) {
     const World world = any_team_with_rubble();
-    RC_PRE(can_be_planned(world));
+    RC_PRE(is_plannable(world));
     Method method = any_selection();
     method.select = *rc::gen::element(Selection::exact, Selection::exact, Selection::greedy);
     expect_laws(world, method);
@@ -155,7 +146,7 @@ RC_GTEST_PROP(Rubble, BoundOfAPairHoldsForEverySet, ()) {
 RC_GTEST_PROP(Rubble, BoundOfATeamHoldsForEverySet, ()) {
     World world = any_team_with_rubble();
     world.mission.rules.collisions = false;
-    RC_PRE(can_be_planned(world));
+    RC_PRE(is_plannable(world));
     expect_bound_below_all_sets(world);
 }
 
@@ -226,6 +217,17 @@ TEST(Rubble, IsDrivenThroughWhereThatIsQuicker) {
     EXPECT_TRUE(past.breaches.empty());
 }
 
+TEST(Rubble, OfWhatMustGoIsGoneAround) {
+    const Map map = walled();
+    Mission mission = ground_and_air({3, 0}, {7, 0});
+    mission.rules.removals = 1;
+    const double around = *Planner().plan(map, removing_nothing(mission)).after.ground_makespan;
+    mission.rules.force = {{1}};
+    mission.rules.rubble = 8.5;
+    mission.rules.objective = Objective::ground_makespan;
+    EXPECT_DOUBLE_EQ(*Planner().plan(map, mission).after.ground_makespan, around);
+}
+
 // Two obstacles on a shorter way, one on a longer one: a search in time knows the rubble of one of them only.
 TEST(Rubble, OfTwoMayBeWorthIt) {
     const std::vector<std::uint32_t> labels{1, 0, 0, 0, 2, 3, 2, 1, 3, 2, 2, 0};
@@ -287,7 +289,7 @@ TEST(Rubble, IsRefusedWhereItMeansNothing) {
     mission.rules.rubble = 1;
     mission.rules.timing = Timing::ignore;
     EXPECT_EQ(input_error([&] { validate(map, mission); }),
-              "rubble takes time only where obstacles stand in time (timing: enforce)");
+              "rubble takes time only where obstacles stand in time: leave it out, or let the timing be enforced");
 }
 
 }  // namespace

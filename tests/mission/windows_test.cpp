@@ -50,15 +50,6 @@ World any_windowed_world() {
     return world;
 }
 
-bool is_plannable(const World& world) {
-    try {
-        validate(world.map, world.mission);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 std::string text(const Mission& mission) {
     std::ostringstream out;
     for (const Zone& zone : mission.rules.zones) {

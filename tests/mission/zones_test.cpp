@@ -53,15 +53,6 @@ std::vector<Zone> of_kind(const Rules& rules, ZoneKind kind) {
     return zones;
 }
 
-bool is_plannable(const World& world) {
-    try {
-        validate(world.map, world.mission);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 // Whether an interior meets the area of a cell.
 bool reaches_into(const std::vector<Zone>& zones, Cell c) {
     return std::ranges::any_of(zones, [c](const Zone& zone) { return area_within(zone.polygon.front(), c) > 1e-9; });

@@ -39,7 +39,8 @@ TEST(Zone, HoldsBetweenItsTimes) {
     EXPECT_EQ(fault_of(zone),
               "the zone 'harbour' (from 20 until 20) ends before it holds; let 'until' be after 'from'");
     zone.from = -1;
-    EXPECT_EQ(fault_of(zone), "the zone 'harbour' (until 20) does not hold from a time on that is 0 or later");
+    EXPECT_EQ(fault_of(zone),
+              "the zone 'harbour' (until 20) begins to hold at no time of a mission; let 'from' be 0 or more");
     zone.from = std::nan("");
     EXPECT_NE(fault_of(zone), "");
     zone.from = 0;
