@@ -157,6 +157,34 @@ RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
 }
 
 // The subsets of what may be removed beside what must be; one vehicle gains by all of them, if by any.
+// The vehicle is through the rubble of the first obstacle long before the second one opens.
+TEST(Columns, CountNoRubbleThatAWaitSwallows) {
+    const Map map = map_from_ascii("S.a.....b...G");
+    Mission mission{{vehicle("rover", {0, 0}, {12, 0}), aircraft("heli", {1, 0}), aircraft("idle", {0, 0})}};
+    mission.agents[2].breaches = 0;
+    mission.rules.removals = 2;
+    mission.rules.objective = Objective::flowtime;
+    mission.rules.breach_time.per_obstacle = 6;
+    mission.rules.rubble = 3;
+    const Plan plan = Planner().plan(map, mission);
+    ASSERT_EQ(plan.breaches.size(), 2U);
+    const double arrival = plan.agents[0].path.back().t;
+    const team::Interrupts interrupts{Deadline(), {}};
+    const Problem problem(map, mission, interrupts);
+    CrossingSearcher crossing;
+    Searcher theta;
+    Workers workers(problem, crossing, theta);
+    Columns columns(problem, workers, Shape::relaxed);
+    const std::vector<double> free(map.obstacles().size() + 1, 0);
+    EXPECT_LE(columns.search(0, free, workers.own()).least, arrival * (1 + 1e-9));
+    const std::vector<Column>& known = columns.of(0).columns;
+    const auto crosses_both = [](const Column& column) { return column.opened.size() == 2; };
+    ASSERT_EQ(std::ranges::count_if(known, crosses_both), 1);
+    const Column& both = *std::ranges::find_if(known, crosses_both);
+    EXPECT_LE(both.arrival, arrival * (1 + 1e-9));
+    EXPECT_GE(both.arrival, arrival - 2);  // all but what is a cell apart at each obstacle
+}
+
 TEST(AllSets, AreThoseThatMayBeRemoved) {
     const std::string_view picture = R"(
         S.a.b.G
