@@ -42,6 +42,12 @@ export function windowOf(from?: number, until?: number): Pick<Zone, "from" | "un
   return { ...(from !== undefined && { from }), ...(until !== undefined && { until }) };
 }
 
+// With times in another unit, each so many times as long.
+export function withTimes(zones: readonly Zone[], scale: (time: number) => number): Zone[] {
+  const timed = (time?: number) => (time === undefined ? undefined : scale(time));
+  return zones.map((zone) => ({ ...zone, ...windowOf(timed(zone.from), timed(zone.until)) }));
+}
+
 // Whether corners are cells; else they are longitude and latitude.
 export function isInCells(value: unknown): boolean {
   return (value as Partial<ZoneCollection> | null)?.crs === "cells";

@@ -6,7 +6,7 @@ import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/a
 import { marked, meetingRules, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
 import { secondsPerUnit } from "../domain/units";
-import { zoneCollection, zonesOf, zonesText } from "../domain/zone";
+import { withTimes, zoneCollection, zonesOf, zonesText } from "../domain/zone";
 import { holdsMission } from "./address";
 import { agentsInQuery, encodeLink } from "./link";
 
@@ -125,7 +125,8 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
     if (ids.length > 0) query.set(mark, ids.join());
   }
   const zones = zonesOf(rules.zones);
-  if (zones && zones.length > 0) query.set("zones", zonesText(zones));
+  const inSeconds = (time: number) => scaled(time, scale.seconds);
+  if (zones && zones.length > 0) query.set("zones", zonesText(withTimes(zones, inSeconds)));
   const all = textsIn(rules.protect);
   if (all.length > 0) query.set("protect_all", inOne(all));
   return { query: query.toString(), leftOut: leftOut(document) };

@@ -5,7 +5,7 @@ import { alsoOf } from "../domain/also";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
 import { isTeam, paceOf, type Plan } from "../domain/plan";
 import { secondsPerUnit } from "../domain/units";
-import { zonesOf } from "../domain/zone";
+import { withTimes, zonesOf } from "../domain/zone";
 import { isObject, leftOut } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {
@@ -47,7 +47,7 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
     collisions: rules.collisions !== false,
     unreached,
-    zones: zonesOf(rules.zones) ?? [],
+    zones: withTimes(zonesOf(rules.zones) ?? [], (time) => scaled(time, scale.seconds)),
     also: alsoOf(saidOf(plan), method, options.removals ?? defaults.removals),
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),
   };

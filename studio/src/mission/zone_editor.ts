@@ -44,13 +44,11 @@ export class ZoneEditor {
 
   // Between which it holds; undefined: no such time.
   setTime(index: number, which: "from" | "until", time: number | undefined): void {
-    this.#change((zones) =>
-      zones.map((zone, i) => {
-        if (i !== index) return zone;
-        const { from, until, ...rest } = { ...zone, [which]: time };
-        return { ...rest, ...windowOf(from, until) };
-      }),
-    );
+    const timed = (zone: Zone): Zone => {
+      const { from, until, ...rest } = { ...zone, [which]: time };
+      return { ...rest, ...windowOf(from, until) };
+    };
+    this.#change((zones) => zones.map((zone, i) => (i === index ? timed(zone) : zone)), `${which} of zone ${index}`);
   }
 
   remove(index: number): void {

@@ -4,6 +4,7 @@ import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { IconButton, Section } from "./controls";
 import { Name } from "./name";
+import { NumberField } from "./number_field";
 
 export function Zones({ page, studio }: { page: PageState; studio: Studio | null }) {
   const zones = page.mission.value?.zones ?? [];
@@ -48,28 +49,27 @@ function ZoneFields({ studio, zone, index }: { studio: Studio; zone: Zone; index
         <option value="keep_out">vehicles</option>
       </select>
       <IconButton icon="close" kind="small" label={`Remove ${which}`} onClick={() => studio.zones.remove(index)} />
-      <span class="zone-times">
-        holds from <ZoneTime studio={studio} zone={zone} index={index} end="from" /> until{" "}
+      <div class="zone-times">
+        <ZoneTime studio={studio} zone={zone} index={index} end="from" />
         <ZoneTime studio={studio} zone={zone} index={index} end="until" />
-      </span>
+      </div>
     </>
   );
 }
 
-// Empty: no such time. In units of time, as all times of missions.
+// Left empty: it holds from the start, or for ever.
 function ZoneTime({ studio, zone, index, end }: { studio: Studio; zone: Zone; index: number; end: "from" | "until" }) {
   return (
-    <input
-      type="number"
-      min="0"
-      step="any"
-      aria-label={`Zone ${index + 1} holds ${end}`}
-      placeholder={end === "from" ? "the start" : "the end"}
-      value={zone[end] ?? ""}
-      onChange={({ currentTarget }) => {
-        const time = currentTarget.valueAsNumber;
-        studio.zones.setTime(index, end, time >= 0 ? time : undefined);
-      }}
+    <NumberField
+      label={`Zone ${index + 1} holds ${end}`}
+      unit={studio.page.units.value.metric ? "s" : "steps"}
+      value={zone[end] ?? null}
+      min={0}
+      max={1e9}
+      empty={end === "from" ? "start" : "end"}
+      onInput={(time) => studio.zones.setTime(index, end, time)}
+      onClear={() => studio.zones.setTime(index, end, undefined)}
+      onDone={() => studio.zones.endGesture()}
     />
   );
 }

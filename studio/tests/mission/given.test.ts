@@ -1,6 +1,7 @@
 // What is dropped, opened or pasted. (File is no global of Node 18.)
 import { expect, it } from "vitest";
 import { changed } from "../../src/domain/agents";
+import type { Point } from "../../src/domain/geometry";
 import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
 import type { Plan } from "../../src/domain/plan";
 import { zoneCollection } from "../../src/domain/zone";
@@ -178,14 +179,15 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
 it("a mission file whose speeds are all 1 is at 1 m/s, unless its times are seconds", () => {
   const two = [{ id: "ground", kind: "ground", start: [1, 2], goal: [3, 4] }, { id: "air", kind: "air", start: [1, 2], goal: [3, 4], speed: 1 }];
   const team = [two[0], { id: "2", kind: "ground", start: [5, 5], goal: [6, 6], ready_at: 10 }, two[1]];
-  const rules = { breach_time: 5, breach_time_per_cell: 0.5, rubble: 4 };
+  const yard = { kind: "no_fly" as const, name: "", agents: [], rings: [[[0, 0], [3, 0], [3, 3]] as Point[]], from: 10, until: 30 };
+  const rules = { breach_time: 5, breach_time_per_cell: 0.5, rubble: 4, zones: zoneCollection([yard]) };
   const opened = (agents: unknown, more: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules, ...more }))!.mission;
   for (const agents of [two, team]) {
     const [free, said] = [opened(agents, {}), opened(agents, { time_unit: "s" })];
     expect(free.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 1));
-    expect(free).toMatchObject({ breachTime: 10, breachTimePerCell: 1, rubble: 8 });
+    expect(free).toMatchObject({ breachTime: 10, breachTimePerCell: 1, rubble: 8, zones: [{ from: 20, until: 60 }] });
     expect(said.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 2));
-    expect(said).toMatchObject({ breachTime: 5, breachTimePerCell: 0.5, rubble: 4 });
+    expect(said).toMatchObject({ breachTime: 5, breachTimePerCell: 0.5, rubble: 4, zones: [{ from: 10, until: 30 }] });
   }
   expect(opened(team, {}).agents[1]).toMatchObject({ readyAt: 20 });
 });
