@@ -15,7 +15,7 @@ it("slows the robot, is planned with and kept", async () => {
   const [cleared] = await studio.figures();
   await page.locator("summary", { hasText: "Mission settings" }).focus();
   await page.keyboard.press("Enter");
-  await page.getByLabel("Through one’s rubble").focus();
+  await page.getByLabel("Rubble delay").focus();
   await page.keyboard.press("Control+a");
   await page.keyboard.type("20");
   await page.keyboard.press("Tab");

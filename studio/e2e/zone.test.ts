@@ -109,6 +109,26 @@ it("comes from a file, in longitude and latitude, and goes with one step back", 
   expect(studio.faults).toEqual([]);
 });
 
+it("holds until a time, by the keyboard, and the aircraft need not fly round", async () => {
+  const studio = await setting.settled({ query: "?map=krems.tif&start=487,5&goal=450,240&removals=2" });
+  const { page } = studio;
+  const [free] = await studio.figures();
+  await page.getByLabel("File to open").setInputFiles(join(data, "krems-helipad.geojson"));
+  await expect.poll(async () => (await zonesOf(studio)).length).toBe(1);
+  await studio.settled();
+  expect((await studio.figures())[0]).toBeGreaterThan(free!);
+  await page.getByLabel("Zone 1 holds until").focus();
+  await page.keyboard.type("1,5");
+  await page.keyboard.press("Tab");
+  await expect.poll(async () => (await zonesOf(studio))[0]?.properties.until).toBe(1.5);
+  await studio.settled();
+  expect((await studio.figures())[0]).toBe(free);
+  expect(await studio.accessibilityFaults()).toEqual([]);
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await zonesOf(studio))[0]?.properties.until).toBeUndefined();
+  expect(studio.faults).toEqual([]);
+});
+
 it("says so where a start lies in it", async () => {
   const studio = await setting.settled({ query });
   const zone = { type: "Feature", properties: { zone: "no_fly", name: "home" } };

@@ -68,7 +68,7 @@ export function Settings({ studio }: { studio: Studio }) {
           {...time}
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
-        <NumberField label="Through one’s rubble" unit={metric ? "s" : "steps"} {...time} {...number("rubble")} />
+        <NumberField label="Rubble delay" unit={metric ? "s" : "steps"} {...time} {...number("rubble")} />
         {two && (
           <VehicleSize
             label="Ground robot’s width"
