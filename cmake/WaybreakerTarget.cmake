@@ -10,6 +10,8 @@ function(waybreaker_flags target)
                          $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wreserved-identifier>)
   # The last bit of a time is the same on processors with and without fused multiply-add.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  # What is compiled is the same wherever the clone lies: so ccache finds it again in another.
+  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(WAYBREAKER_WARNINGS_ARE_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
