@@ -167,6 +167,7 @@ export interface Plan {
   next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan
+  barred_by?: { zone: number; agent: string; at: number }; // where there is none: the zone with times, from 1, in whose way, when
   orders?: Order[];
   revision?: RevisionNote; // of a plan that was made while the mission was under way
   seconds?: Record<string, number>;

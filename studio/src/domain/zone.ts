@@ -1,5 +1,6 @@
 // Zones: areas that aircraft, or vehicles, keep out of (docs/crews.md).
 import type { Point } from "./geometry";
+import { plainName } from "./plain_name";
 
 export type ZoneKind = "no_fly" | "keep_out";
 
@@ -40,6 +41,13 @@ export function zoneCollection(zones: readonly Zone[]): ZoneCollection {
 // No time is none of its members.
 export function windowOf(from?: number, until?: number): Pick<Zone, "from" | "until"> {
   return { ...(from !== undefined && { from }), ...(until !== undefined && { until }) };
+}
+
+// A zone of a plan's mission, counted from 1, as a sentence names it.
+export function zoneName(mission: { rules?: Record<string, unknown> } | undefined, zone: number): string {
+  const zones = mission?.rules?.["zones"] as Partial<ZoneCollection> | undefined;
+  const name = zones?.features?.[zone - 1]?.properties.name;
+  return name ? plainName(name) : `zone ${zone}`;
 }
 
 // With times in another unit, each so many times as long.

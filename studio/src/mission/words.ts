@@ -3,6 +3,7 @@ import { isTeam, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { difference, durations, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
 import { gainWords, isNegligible } from "./gain";
+import { barredHeadline } from "./zone_words";
 
 export interface Headline {
   tone: "good" | "plain" | "bad";
@@ -145,7 +146,10 @@ function lastOf(plan: Plan): "ground" | "air" | "both" {
   return ground! > air! ? "ground" : "air";
 }
 
-function without(plan: Plan, { buildings, isLooking, isFound = false }: Telling): Headline {
+function without(plan: Plan, telling: Telling): Headline {
+  const { buildings, isLooking, isFound = false } = telling;
+  const barred = barredHeadline(plan, telling);
+  if (barred) return barred;
   const allowed = plan.options.removals ?? 0;
   if (plan.status !== "no_plan") {
     const tried = ["Ask for fewer removals.", "Move start and goal nearer to each other."];

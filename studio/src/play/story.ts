@@ -1,6 +1,7 @@
 // Waits in words, as the plan explains them: "waits for heli to open 2", "lets truck pass".
 import { plainName } from "../domain/plain_name";
 import type { Agent, ExplainedWait, Plan } from "../domain/plan";
+import { zoneName } from "../domain/zone";
 import { breachOrder, positionAt } from "./motion";
 
 const mostTold = 3;
@@ -30,14 +31,14 @@ export class Story {
     return [...told, ...(more > 0 ? [more === 1 ? "one more waits" : `${more} more wait`] : [])].join("; ");
   }
 
-  #drivenVerb(id: string, { reason, obstacle, agent }: ExplainedWait): string {
+  #drivenVerb(id: string, { reason, obstacle, agent, zone }: ExplainedWait): string {
     if (reason === "readiness") return "is not ready yet";
     if (reason === "agent") return `lets ${nameOf({ id: agent!, kind: "ground" })} pass`;
     if (reason === "rubble") return `gets over ${this.#numbers.has(obstacle!) ? `the rubble of ${this.#numbers.get(obstacle!)}` : "rubble"}`;
     if (reason === "opening" && agent === undefined) return "waits for what opens by itself";
     if (reason === "opening" && agent === id) return `opens ${this.#numbers.get(obstacle!)}`;
     if (reason === "opening") return `waits for ${nameOf({ id: agent!, kind: "air" })} to open ${this.#numbers.get(obstacle!)}`;
-    if (reason === "zone") return "waits until a zone is over";
+    if (reason === "zone") return `waits until ${zoneName(this.plan.mission, zone!)} is over`;
     return "waits";
   }
 

@@ -141,6 +141,7 @@ describe("a plan", () => {
     expect(told(truck("truck", { reason: "nothing" }))).toBe("truck waits");
     expect(told(truck("truck", { reason: "rubble", obstacle: 7 }))).toBe("truck gets over the rubble of 2");
     expect(told(truck("truck", { reason: "rubble", obstacle: 99 }))).toBe("truck gets over rubble");
+    expect(told(truck("truck", { reason: "zone", zone: 2 }))).toBe("truck waits until zone 2 is over");
     expect(told(truck("ground", { reason: "opening", obstacle: 7, agent: "air" }))).toBe("the ground robot waits for the aircraft to open 2");
     expect(told({ ...ground, path: [[4, -4, 2], [4, 5, 11]] })).toBeNull();
     const trucks = ["1", "2", "3", "4", "5"].map((id) => truck(id));
