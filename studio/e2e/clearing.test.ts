@@ -23,6 +23,7 @@ it("clears for the vehicle that joins it, and says who opens what", async () => 
   const table = page.getByRole("table", { name: /^When each agent arrives/ });
   await table.getByRole("row", { name: /opens 1, 2/ }).waitFor();
   expect(await page.getByLabel("Opens at most").inputValue()).toBe("0");
+  expect(await page.locator("p.legend").innerText()).not.toContain("aircraft");
   expect(await studio.accessibilityFaults()).toEqual([]);
 
   const download = page.waitForEvent("download");

@@ -23,6 +23,7 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
   if (!mission || !shown) return null;
   const plans = page.results.plans.value;
   const team = page.looks.value.size > 0;
+  const flies = mission.agents.some(({ kind }) => kind === "air");
   const units = page.objectiveUnits.value;
   const what = (name: LayerName) => {
     const plan = plans[name]?.plan;
@@ -54,7 +55,7 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
                   checked={mission.layers.includes(name)}
                   onChange={() => (studio?.editor ?? page).toggleLayer(name)}
                 />
-                <LineSample name={name} />
+                <LineSample name={name} flies={flies} />
                 <span class="layer-name">
                   {title}
                   <span class="layer-what">{what(name)}</span>
@@ -91,12 +92,14 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
           </svg>
           {team ? "vehicles, each in its colour" : "ground robot"}
         </span>
-        <span>
-          <svg width="26" height="10" aria-hidden="true">
-            <line class="sample-air" x1="1" x2="25" y1="5" y2="5" />
-          </svg>
-          aircraft
-        </span>
+        {flies && (
+          <span>
+            <svg width="26" height="10" aria-hidden="true">
+              <line class="sample-air" x1="1" x2="25" y1="5" y2="5" />
+            </svg>
+            aircraft
+          </span>
+        )}
         <span>
           <svg width="16" height="14" aria-hidden="true">
             <rect class="sample-removed" x="1" y="1" width="14" height="12" />
@@ -114,11 +117,11 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
   );
 }
 
-function LineSample({ name }: { name: LayerName }) {
+function LineSample({ name, flies }: { name: LayerName; flies: boolean }) {
   return (
     <svg class={`sample sample-${name}`} width="34" height="14" aria-hidden="true">
       <line x1="2" x2="32" y1="5" y2="5" />
-      {name !== "before" && <line class="sample-flight" x1="2" x2="32" y1="10" y2="10" />}
+      {flies && name !== "before" && <line class="sample-flight" x1="2" x2="32" y1="10" y2="10" />}
     </svg>
   );
 }
