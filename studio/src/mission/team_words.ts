@@ -6,7 +6,8 @@ import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
 import { isNegligible } from "./gain";
 import { isWeighed } from "./place_words";
-import { asGood, counted, type Headline, isProven, soFar, type Telling, unasked } from "./words";
+import type { Headline, Telling } from "./telling";
+import { asGood, counted, isProven, soFar, unasked } from "./words";
 import { barredHeadline } from "./zone_words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.

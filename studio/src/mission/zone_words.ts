@@ -1,9 +1,9 @@
 // Zones with times in plain words.
-import { type Plan } from "../domain/plan";
+import type { Plan } from "../domain/plan";
 import { duration } from "../domain/units";
 import { zoneName } from "../domain/zone";
 import { nameOf } from "../play/story";
-import type { Headline, Telling } from "./words";
+import type { Headline, Telling } from "./telling";
 
 // Which zone stands in whose way; null where none does.
 export function barredHeadline({ barred_by: barred, mission }: Plan, { units, isLooking }: Telling): Headline | null {
