@@ -129,19 +129,34 @@ it("holds until a time, by the keyboard, and the aircraft need not fly round", a
   expect(studio.faults).toEqual([]);
 });
 
-it("says so where a start lies in it", async () => {
-  const studio = await setting.settled({ query });
-  const zone = { type: "Feature", properties: { zone: "no_fly", name: "home" } };
-  const around = [[120, 90], [140, 90], [140, 120], [120, 120], [120, 90]];
-  const zones = { type: "FeatureCollection", crs: "cells", features: [{ ...zone, geometry: { type: "Polygon", coordinates: [around] } }] };
+// A mission file with a zone, in cells: between a square and a smaller one within it, or all of the square.
+function missionFile(name: string, properties: object, halves: number[], [x, y]: Point): string {
+  const square = (half: number) => [[-half, -half], [half, -half], [half, half], [-half, half], [-half, -half]].map(([dx, dy]) => [x + dx!, y + dy!]);
+  const zone = { type: "Feature", properties: { ...properties, name }, geometry: { type: "Polygon", coordinates: halves.map(square) } };
+  const zones = { type: "FeatureCollection", crs: "cells", features: [zone] };
   const agents = [
     { id: "ground", kind: "ground", start: [130, 104], goal: [466, 105] },
     { id: "air", kind: "air", start: [130, 104], goal: [130, 104] },
   ];
-  const file = join(setting.scratch, "home.json");
+  const file = join(setting.scratch, `${name}.json`);
   writeFileSync(file, JSON.stringify({ format: "waybreaker-mission/1", agents, rules: { removals: 1, zones } }));
-  await studio.page.getByLabel("File to open").setInputFiles(file);
+  return file;
+}
+
+it("says so where a start lies in it", async () => {
+  const studio = await setting.settled({ query });
+  await studio.page.getByLabel("File to open").setInputFiles(missionFile("home", { zone: "no_fly" }, [15], [130, 104]));
   await studio.page.getByText(/start 130,104 lies in the zone 'home'/).first().waitFor();
   await studio.page.getByRole("button", { name: "Remove zone 1" }).click();
   await studio.settled();
+});
+
+it("is named where from a time on it closes all ways", async () => {
+  const studio = await setting.settled({ query });
+  await studio.page.getByLabel("File to open").setInputFiles(missionFile("quay", { zone: "keep_out", from: 10 }, [30, 10], [466, 105]));
+  await studio.page.getByRole("heading", { name: /the zone quay stands in the way of the ground robot/ }).waitFor();
+  await studio.page.screenshot({ path: join(process.env.SHOTS ?? setting.scratch, "barred.png") });
+  await studio.page.getByRole("button", { name: "Remove zone 1" }).click();
+  await studio.settled();
+  expect(studio.faults).toEqual([]);
 });

@@ -47,7 +47,7 @@ export function windowOf(from?: number, until?: number): Pick<Zone, "from" | "un
 export function zoneName(mission: { rules?: Record<string, unknown> } | undefined, zone: number): string {
   const zones = mission?.rules?.["zones"] as Partial<ZoneCollection> | undefined;
   const name = zones?.features?.[zone - 1]?.properties.name;
-  return name ? plainName(name) : `zone ${zone}`;
+  return name ? `the zone ${plainName(name)}` : `zone ${zone}`;
 }
 
 // With times in another unit, each so many times as long.

@@ -139,7 +139,7 @@ describe("headline", () => {
     });
     const words = (zone: number, agent: string) => plain(headline(plan(zone, agent), told).title);
     expect(words(1, "ground")).toBe("No plan was found: after 3 min 53 s, zone 1 stands in the way of the ground robot");
-    expect(words(2, "heli")).toBe("No plan was found: after 3 min 53 s, airport stands in the way of heli");
+    expect(words(2, "heli")).toBe("No plan was found: after 3 min 53 s, the zone airport stands in the way of heli");
     expect(plain(teamHeadline(plan(2, "heli"), null, told).title)).toBe(words(2, "heli"));
     expect(headline(plan(2, "heli"), { ...told, isLooking: true }).title).toBe("So far, no way was found");
   });
