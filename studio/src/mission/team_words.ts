@@ -6,9 +6,7 @@ import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
 import { isNegligible } from "./gain";
 import { isWeighed } from "./place_words";
-import type { Headline, Telling } from "./telling";
-import { asGood, counted, isProven, soFar, unasked } from "./words";
-import { barredHeadline } from "./zone_words";
+import { asGood, counted, type Headline, isProven, soFar, type Telling, unasked } from "./words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.
 export function teamHeadline(plan: Plan, closed: Plan | null, telling: Telling): Headline {
@@ -59,10 +57,7 @@ function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string 
   return `${none} ${gains[objectiveOf(plan)]}`;
 }
 
-function noPlan(plan: Plan, telling: Telling): Headline {
-  const { isLooking, isFound = false } = telling;
-  const barred = barredHeadline(plan, telling);
-  if (barred) return barred;
+function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
   if (plan.status === "no_plan") {
     const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
     const passes = plan.mission?.rules?.collisions === false;

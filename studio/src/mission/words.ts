@@ -3,8 +3,23 @@ import { isTeam, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { difference, durations, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
 import { gainWords, isNegligible } from "./gain";
-import type { Headline, Telling } from "./telling";
-import { barredHeadline } from "./zone_words";
+
+export interface Headline {
+  tone: "good" | "plain" | "bad";
+  title: string;
+  // The result, and the result without removals: shown large, as figures.
+  figures: { after: number; before: number | null } | null;
+  note?: string; // what else is to be said of the removals
+  remedies: string[]; // what can be done where there is no plan
+}
+
+// How a plan is told.
+export interface Telling {
+  units: Units;
+  buildings: boolean; // whether all that is removed is sure to be buildings
+  isLooking: boolean; // whether a better plan may follow: then nothing is said that only the end of the search can say
+  isFound?: boolean; // whether there is one already that is not shown yet
+}
 
 export interface Proof {
   tone: "sure" | "plain" | "unsure";
@@ -130,10 +145,7 @@ function lastOf(plan: Plan): "ground" | "air" | "both" {
   return ground! > air! ? "ground" : "air";
 }
 
-function without(plan: Plan, telling: Telling): Headline {
-  const { buildings, isLooking, isFound = false } = telling;
-  const barred = barredHeadline(plan, telling);
-  if (barred) return barred;
+function without(plan: Plan, { buildings, isLooking, isFound = false }: Telling): Headline {
   const allowed = plan.options.removals ?? 0;
   if (plan.status !== "no_plan") {
     const tried = ["Ask for fewer removals.", "Move start and goal nearer to each other."];

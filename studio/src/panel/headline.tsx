@@ -8,6 +8,7 @@ import { reachWords } from "../mission/place_words";
 import { surfaceWords } from "../mission/surface_words";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
+import { barredHeadline } from "../mission/zone_words";
 import type { Judged } from "../planning/results";
 import { askedRules } from "./asked_rules";
 import { Flights, flightTexts } from "./flights";
@@ -52,7 +53,8 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
   const isFound = isLooking && page.results.progress.value?.best != null;
   const objectiveUnits = page.objectiveUnits.value;
   const telling = { units: objectiveUnits, buildings, isLooking, isFound };
-  const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
+  const barred = isLooking ? null : barredHeadline(after.plan, units);
+  const words = barred ?? (team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling));
   const reach = page.reach.value;
   const who = reach ? reachWords(reach) : team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const surface = surfaceWords(after.plan, units);

@@ -86,20 +86,8 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
       </ul>
       <BandList page={page} />
       <p class="legend">
-        <span>
-          <svg width="26" height="10" aria-hidden="true">
-            <line class="sample-ground" x1="1" x2="25" y1="5" y2="5" />
-          </svg>
-          {team ? "vehicles, each in its colour" : "ground robot"}
-        </span>
-        {flies && (
-          <span>
-            <svg width="26" height="10" aria-hidden="true">
-              <line class="sample-air" x1="1" x2="25" y1="5" y2="5" />
-            </svg>
-            aircraft
-          </span>
-        )}
+        <AgentSample kind="ground" name={team ? "vehicles, each in its colour" : "ground robot"} />
+        {flies && <AgentSample kind="air" name="aircraft" />}
         <span>
           <svg width="16" height="14" aria-hidden="true">
             <rect class="sample-removed" x="1" y="1" width="14" height="12" />
@@ -123,5 +111,16 @@ function LineSample({ name, flies }: { name: LayerName; flies: boolean }) {
       <line x1="2" x2="32" y1="5" y2="5" />
       {flies && name !== "before" && <line class="sample-flight" x1="2" x2="32" y1="10" y2="10" />}
     </svg>
+  );
+}
+
+function AgentSample({ kind, name }: { kind: "ground" | "air"; name: string }) {
+  return (
+    <span>
+      <svg width="26" height="10" aria-hidden="true">
+        <line class={`sample-${kind}`} x1="1" x2="25" y1="5" y2="5" />
+      </svg>
+      {name}
+    </span>
   );
 }

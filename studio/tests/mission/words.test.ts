@@ -1,7 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Plan } from "../../src/domain/plan";
 import type { Units } from "../../src/domain/units";
-import { teamHeadline } from "../../src/mission/team_words";
 import { arrivals, counted, figuresText, headline, noWay, proof, savedBy, tooEarly } from "../../src/mission/words";
 import { planOf } from "../domain/plans";
 
@@ -128,20 +126,6 @@ describe("headline", () => {
       "Allow more removals.",
     );
     expect(title({ after: null, status: "limit_reached" })).toContain("in the time there was");
-  });
-
-  it("names the zone that stands in the way", () => {
-    const zones = { features: [{ properties: {} }, { properties: { name: "air\u202eport" } }] };
-    const plan = (zone: number, agent: string): Plan => ({
-      ...planOf({ after: null, status: "not_found" }),
-      mission: { agents: [{ kind: "ground" }, { kind: "air", id: "heli" }], rules: { zones } },
-      barred_by: { zone, agent, at: 232.7 },
-    });
-    const words = (zone: number, agent: string) => plain(headline(plan(zone, agent), told).title);
-    expect(words(1, "ground")).toBe("No plan was found: after 3 min 53 s, zone 1 stands in the way of the ground robot");
-    expect(words(2, "heli")).toBe("No plan was found: after 3 min 53 s, the zone airport stands in the way of heli");
-    expect(plain(teamHeadline(plan(2, "heli"), null, told).title)).toBe(words(2, "heli"));
-    expect(headline(plan(2, "heli"), { ...told, isLooking: true }).title).toBe("So far, no way was found");
   });
 });
 
