@@ -71,6 +71,21 @@ Cell cell_on(const io::MapFile& map, Point cell, const GivenPlace& place, const 
     return {int(cell.x), int(cell.y)};
 }
 
+GivenPlace given_place(const std::string& name, const std::string& given) {
+    if (is_name(given)) return {.option = name, .text = given, .is_name = true};
+    const std::size_t comma = given.find(',');
+    if (comma == std::string::npos) {
+        throw CLI::ValidationError(
+            name, fmt::format("'{}' is not a place: two numbers are needed, with a comma and no blank between "
+                              "them, such as 12,20",
+                              shown(given)));
+    }
+    const auto x = number(std::string_view(given).substr(0, comma));
+    const auto y = number(std::string_view(given).substr(comma + 1));
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {.option = name, .text = given, .numbers = {x.value_or(none), y.value_or(none)}};
+}
+
 }  // namespace
 
 // Letters, without a comma or with a blank behind it.
@@ -127,24 +142,16 @@ double in_cells(const Measure& measure, const io::MapFile& map, Range range) {
 
 CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
                        const std::string& text) {
-    const auto read = [name, &value](const std::string& given) {
-        if (is_name(given)) {
-            value = GivenPlace{.option = name, .text = given, .is_name = true};
-            return;
-        }
-        const std::size_t comma = given.find(',');
-        if (comma == std::string::npos) {
-            throw CLI::ValidationError(
-                name, fmt::format("'{}' is not a place: two numbers are needed, with a comma and no blank between "
-                                  "them, such as 12,20",
-                                  shown(given)));
-        }
-        const auto x = number(std::string_view(given).substr(0, comma));
-        const auto y = number(std::string_view(given).substr(comma + 1));
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        value = GivenPlace{.option = name, .text = given, .numbers = {x.value_or(none), y.value_or(none)}};
-    };
+    const auto read = [name, &value](const std::string& given) { value = given_place(name, given); };
     return app.add_option_function<std::string>(name, read, text)->type_name("X,Y|NAME");
+}
+
+CLI::Option* add_places(CLI::App& app, const std::string& name, std::vector<GivenPlace>& values,
+                        const std::string& text) {
+    const auto read = [name, &values](const std::vector<std::string>& all) {
+        for (const std::string& given : all) values.push_back(given_place(name, given));
+    };
+    return app.add_option_function<std::vector<std::string>>(name, read, text)->type_name("X,Y|NAME ...");
 }
 
 Cell cell_of(const GivenPlace& place) {

@@ -61,6 +61,9 @@ struct GivenPlace {
 
 CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
                        const std::string& text);
+// Any number of them.
+CLI::Option* add_places(CLI::App& app, const std::string& name, std::vector<GivenPlace>& values,
+                        const std::string& text);
 
 // The cell; or the one that longitude and latitude, or metres of the map's frame, lie in. Throw InputError, naming the
 // option, if the numbers are no such place, or the place is not on the map.

@@ -33,6 +33,7 @@ constexpr double default_seconds = 10;
 // What options mean on the map.
 struct Places {
     std::optional<Cell> start, goal, air_start, air_goal;
+    std::vector<Cell> bases;
 };
 
 Cell centre_of(const site::NamedPlace& place) {
@@ -47,7 +48,9 @@ Places places_of(const PlanOptions& options, const io::MapFile& map) {
                : options.map_metres ? cell_at_metres(*place, map)
                                     : cell_of(*place);
     };
-    return {cell(options.start), cell(options.goal), cell(options.air_start), cell(options.air_goal)};
+    Places places{cell(options.start), cell(options.goal), cell(options.air_start), cell(options.air_goal), {}};
+    for (const GivenPlace& base : options.bases) places.bases.push_back(*cell(base));
+    return places;
 }
 
 // A name stands for the nearest cell where the ground agent has room.
@@ -99,6 +102,7 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
         if (flies) {
             agent.start = places.air_start.value_or(agent.start);
             agent.goal = places.air_goal.value_or(agent.goal);
+            if (!places.bases.empty()) agent.bases = places.bases;
         } else {
             agent.body.corners = options.corners.value_or(agent.body.corners);
             if (options.radius) agent.body.radius = radius_of(*options.radius, map);

@@ -289,14 +289,18 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
 
 // Before the map is read.
 void validate_places(const PlanOptions& options) {
+    std::vector<GivenPlace> places = options.bases;
     for (const auto* place : {&options.start, &options.goal, &options.air_start, &options.air_goal}) {
-        if (!*place || (*place)->is_name) continue;
+        if (*place) places.push_back(**place);
+    }
+    for (const GivenPlace& place : places) {
+        if (place.is_name) continue;
         if (options.lon_lat) {
-            validate_lon_lat(**place);
+            validate_lon_lat(place);
         } else if (options.map_metres) {
-            validate_metres(**place);
+            validate_metres(place);
         } else {
-            cell_of(**place);
+            cell_of(place);
         }
     }
 }

@@ -43,6 +43,8 @@ struct PlanOptions {
     std::optional<Measure> range;      // of each aircraft
     std::optional<Measure> endurance;  // the same
     std::optional<double> reserve;
+    std::optional<Measure> recharge;
+    std::vector<GivenPlace> bases;  // of each aircraft
     std::optional<Measure> breach_time;
     std::optional<Measure> breach_time_per_cell;
     std::optional<Measure> rubble;

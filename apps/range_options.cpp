@@ -14,6 +14,7 @@ namespace waybreaker::apps {
 namespace {
 
 constexpr Range ranges{1e-6, 1e12};  // cells, or units of time
+constexpr Range recharge_times{1e-6, most_breach_time};
 const Units range_units{{"km", 1000}, {"m", 1}};
 
 // What times of an aircraft's flight are said in: how far it flies in a unit of time, or themselves.
@@ -51,10 +52,17 @@ void add_range_options(CLI::App& command, PlanOptions& options) {
         .add_option_function<std::string>(
             "--reserve", read, "The share of range and endurance that is not planned with, such as 20% (default: 0)")
         ->type_name("SHARE");
+    add_measure(
+        command, "--recharge", options.recharge, recharge_times, time_units, "TIME",
+        "Aircraft land at bases on the way, and take off so much later with a full battery, in units of time, or "
+        "as 90s or 15min; --range and --endurance are then from one landing to the next (default: each flies "
+        "once)");
+    add_places(command, "--base", options.bases,
+               "Where aircraft recharge; more of them with more --base (default: at their starts and goals)");
 }
 
 void set_ranges(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
-    if (!options.range && !options.endurance && !options.reserve) return;
+    if (!options.range && !options.endurance && !options.reserve && !options.recharge && options.bases.empty()) return;
     bool flies = false;
     for (Agent& agent : document.mission.agents) {
         if (agent.kind == AgentKind::ground) continue;
@@ -62,20 +70,32 @@ void set_ranges(const PlanOptions& options, const io::MapFile& map, io::MissionD
         if (options.range) agent.range = in_cells(*options.range, map, ranges);
         if (options.endurance) agent.endurance = options.endurance->value;
         agent.reserve = options.reserve.value_or(agent.reserve);
+        if (options.recharge) agent.recharge = options.recharge->value;
     }
-    if (!flies) throw InputError("--range, --endurance and --reserve are for aircraft, and the mission has none");
+    if (!flies)
+        throw InputError(
+            "--range, --endurance, --reserve, --recharge and --base are for aircraft, and the mission has none");
 }
 
 std::string ranges_left(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     std::string lines;
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Agent& agent = context.asked.mission.agents[i];
-        const double flown = agent.flown + plan.agents[i].path.back().t - agent.ready_at;
+        const std::vector<Recharge>& recharges = plan.agents[i].recharges;
+        const double landed = plan.agents[i].path.back().t;
+        const double last = recharges.empty() ? agent.flown + landed - agent.ready_at : landed - recharges.back().until;
         const auto add = [&](double all, const FlightUnit& unit) {
+            const auto left = [&](double flown) {
+                return fmt::format("{:.6g} of {:.6g} {} left", std::max(all - flown, 0.0) * unit.size, all * unit.size,
+                                   unit.name);
+            };
+            for (const Recharge& recharge : recharges) {
+                lines += fmt::format("{} recharges at {},{}, from {:.3f} to {:.3f}, with {}\n", shortened(agent.id),
+                                     recharge.at.x, recharge.at.y, recharge.from, recharge.until, left(recharge.flown));
+            }
             const std::string reserve =
                 agent.reserve > 0 ? fmt::format(", {:.6g} % are to be in reserve", 100 * agent.reserve) : "";
-            lines += fmt::format("{} lands with {:.6g} of {:.6g} {} left{}\n", shortened(agent.id),
-                                 std::max(all - flown, 0.0) * unit.size, all * unit.size, unit.name, reserve);
+            lines += fmt::format("{} lands with {}{}\n", shortened(agent.id), left(last), reserve);
         };
         if (std::isfinite(agent.range)) add(agent.range / agent.speed, distance_unit(agent, context, style));
         if (std::isfinite(agent.endurance)) add(agent.endurance, time_unit_of(context));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "abilities.hpp"
 #include "choices.hpp"
 #include "laws.hpp"
 #include "team/simulation.hpp"
@@ -60,6 +61,7 @@ Mission any_team(Choices& choices, const Map& map) {
     }
     rules.at_goal = choices.one_in(3) ? AtGoal::leave : AtGoal::stay;
     set_rules(choices, map, 3, rules);
+    if (choices.one_in(3)) give_abilities(map, mission, [&](int count) { return choices.below(count); });
     return mission;
 }
 

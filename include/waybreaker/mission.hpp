@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -45,6 +46,8 @@ inline constexpr std::array<std::string_view, 2> words_of<AtGoal>{"stay", "leave
 inline constexpr double least_speed = 1e-6;
 inline constexpr double most_speed = 1e6;
 inline constexpr double most_weight_of_agent = 1e9;
+inline constexpr std::size_t most_bases = 100;  // of an air agent
+inline constexpr double most_reach = 100;       // cells
 // Of obstacles that an air agent may breach: as many as the rules allow to all of them.
 inline constexpr int any_number = (std::numeric_limits<int>::max)();  // windows.h has a macro max
 
@@ -61,6 +64,13 @@ struct TimedOpening {
     ObstacleId obstacle;
     double at = 0;  // units of time
     friend bool operator==(const TimedOpening&, const TimedOpening&) = default;
+};
+
+// Which obstacles an agent may breach at all: those of at most so many cells, and of these, where some are named, only
+// the named ones.
+struct CanBreach {
+    std::uint32_t most_cells = (std::numeric_limits<std::uint32_t>::max)();
+    std::optional<std::vector<ObstacleId>> only = {};
 };
 
 struct Agent {
@@ -89,9 +99,21 @@ struct Agent {
     // How long it has been in the air by `ready_at` since its battery was full, of an air agent under way: that is gone
     // from both.
     double flown = 0;
-    // How many obstacles a ground agent may breach itself, >= 0. It stands still while it does, its disc at most a cell
-    // from the obstacle, which is open to all then.
+    // Where an air agent may land on its way, to take off so much later with a full battery: cells at whose centres it
+    // stands for that, in units of time, > 0. Range and endurance are those of a flight from one landing to the next.
+    // Without a time it flies once; without bases they are its start and its goal. At most most_bases.
+    std::optional<double> recharge = {};
+    std::vector<Cell> bases = {};
+    // How many obstacles a ground agent may breach itself, >= 0. It stands still while it does, its disc at most
+    // `reach` from the obstacle, which is open to all then.
     int own_breaches = 0;
+    // How far the disc of a ground agent may be from what it breaches, 0 to most_reach cells.
+    double reach = 1;
+    // How long a breach by this agent takes for each obstacle, and for each of its cells, in place of
+    // Rules::breach_time: 0 to most_breach_time.
+    std::optional<double> breach_time = {};
+    std::optional<double> breach_time_per_cell = {};
+    std::optional<CanBreach> can_breach = {};  // empty: any obstacle
     // Where an air agent may fly. Of a mission, Rules::zones say it, and planning sets this.
     Airspace airspace = {};
 
@@ -104,8 +126,12 @@ struct Agent {
         const double left = (1 - reserve) * battery() - flown;
         return left > 0 ? left : 0;
     }
-    // Whether it may take off when it is ready and land at that time, give or take rounding.
-    bool may_land_at(double time) const { return flown + (time - ready_at) <= (1 - reserve) * battery() * (1 + 1e-9); }
+    // Whether it may take off when it is ready and land at that time, give or take rounding. Of one that recharges: at
+    // any time, if at all.
+    bool may_land_at(double time) const {
+        if (recharge) return time < std::numeric_limits<double>::infinity();
+        return flown + (time - ready_at) <= (1 - reserve) * battery() * (1 + 1e-9);
+    }
 };
 
 // Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.
@@ -160,6 +186,9 @@ struct Rules {
     AtGoal at_goal = AtGoal::stay;
 };
 
+// How long that agent takes to breach that obstacle, in units of time; infinity if it may not.
+[[nodiscard]] double time_to_breach(const Agent& agent, const Obstacle& obstacle, const Rules& rules);
+
 inline constexpr std::size_t most_agents = 10000;
 
 struct Mission {
@@ -178,6 +207,8 @@ struct Mission {
     bool opens_own_way() const;
     // Whether a ground agent may breach beside other agents.
     bool clears() const;
+    // Whether some agent may not breach every obstacle.
+    bool limits_breaches() const;
     // Whether some flight may be too long.
     bool limits_flights() const;
     // How many obstacles may be removed: by the rules, and by what all agents may breach.

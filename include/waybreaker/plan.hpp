@@ -38,6 +38,14 @@ struct Wait {
     std::size_t zone = 0;      // which of Rules::zones, from 1; 0: none
 };
 
+// A time for which an air agent stands at one of its bases: at its end the battery is full.
+struct Recharge {
+    Cell at = {};
+    double from = 0;  // units of time
+    double until = 0;
+    double flown = 0;  // when it lands: how long it has been in the air since the battery was full
+};
+
 // An agent of the mission, and its path in time.
 struct Itinerary {
     std::string id = {};
@@ -51,7 +59,8 @@ struct Itinerary {
     // Of a ground agent, if asked for: how much earlier it is at its goal than if it were alone and nothing were
     // removed, in units of time (below 0: later); empty where it has no way then.
     std::optional<double> gain = {};
-    std::vector<Wait> waits = {};  // of a ground agent, in order
+    std::vector<Wait> waits = {};          // of a ground agent, in order
+    std::vector<Recharge> recharges = {};  // of an air agent, in order
 };
 
 // A moment of an agent's execution: it has got to that point of its path, or that share of the move from there to the

@@ -25,7 +25,10 @@ class Vehicle:
     passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time; or comes there on
     its ``approach``, points ``[x, y, t]`` that end at its start then. Its arrival counts ``weight`` times in the
     flowtime (1), as so many people or beds. It may itself breach at most ``breaches`` obstacles, for itself or for
-    others (None: none).
+    others (None: none), with its disc at most ``reach`` cells from each (None: 1). A breach takes it ``breach_time``
+    for each obstacle and ``breach_time_per_cell`` for each cell (None: as the rules say). ``can_breach`` says which
+    obstacles it may breach at all (None: any): ``{"most_cells": 60, "only": [17, "barrier"]}``, by their size, or by
+    their ids and tags.
     """
 
     start: Cell
@@ -38,6 +41,10 @@ class Vehicle:
     approach: Optional[Sequence[Sequence[float]]] = None
     weight: Optional[float] = None
     breaches: Optional[int] = None
+    breach_time: Optional[float] = None
+    breach_time_per_cell: Optional[float] = None
+    can_breach: Optional[Document] = None
+    reach: Optional[float] = None
 
     @property
     def kind(self) -> Literal["ground"]:
@@ -51,7 +58,10 @@ class Aircraft:
     ``start`` and ``goal`` are cells, but ``start`` may be any place between centres, ``speed`` is in cells per unit
     of time. ``ready_at``, ``approach`` and ``weight`` are as those of a vehicle. It flies at most ``range`` cells
     from start to goal, hovering counted, and for ``endurance`` units of time (None: any), less the share ``reserve``.
-    Under way it has been in the air for ``flown`` units of time by ``ready_at``, which is gone from both.
+    Under way it has been in the air for ``flown`` units of time by ``ready_at``, which is gone from both. With
+    ``recharge`` it may land at any of ``bases`` (None: its start and goal), cells, and takes off so many units of time
+    later with a full battery; range and endurance are then from one landing to the next. ``breach_time``,
+    ``breach_time_per_cell`` and ``can_breach`` are as those of a vehicle.
     """
 
     start: Tuple[float, float]
@@ -66,6 +76,11 @@ class Aircraft:
     endurance: Optional[float] = None
     reserve: Optional[float] = None
     flown: Optional[float] = None
+    recharge: Optional[float] = None
+    bases: Optional[Sequence[Cell]] = None
+    breach_time: Optional[float] = None
+    breach_time_per_cell: Optional[float] = None
+    can_breach: Optional[Document] = None
 
     @property
     def kind(self) -> Literal["air"]:

@@ -131,7 +131,7 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
             append(all, judge_rubble(map, plan, *ground, driver, drive.entries, terms));
         }
     }
-    if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
+    if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, flyer, terms));
     if (!broken(ground_times) && !broken(air_times)) {
         append(all, judge_ready(*ground, driver, terms));
         if (flyer.ready_at > 0) append(all, judge_ready(*air, flyer, terms));

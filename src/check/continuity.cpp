@@ -17,18 +17,7 @@ std::string text(ObstacleId id) {
     return "obstacle " + std::to_string(id.value);
 }
 
-double away(const Waypoint& a, const Waypoint& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-// Of a point to a piece of a path.
-double away(const Waypoint& p, const Waypoint& a, const Waypoint& b) {
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double square = dx * dx + dy * dy;
-    const double share = square == 0 ? 0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
-    return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
-}
+using checker::away;
 
 class ContinuityJudge {
   public:
@@ -153,7 +142,10 @@ class ContinuityJudge {
     // What an aircraft has flown is gone, and of its reserve it uses no more than it takes to fly straight home.
     void judge_battery(const Agent& was, const Agent& is, const Itinerary& path, const Itinerary& old,
                        const Decision& decision, const AgentState* state) {
-        if (is.range != was.range || is.endurance != was.endurance || is.reserve > was.reserve)
+        const std::vector<Cell> ends{was.start, was.goal};
+        const std::vector<Cell>& bases = was.recharge && was.bases.empty() ? ends : was.bases;
+        if (is.range != was.range || is.endurance != was.endurance || is.reserve > was.reserve ||
+            is.recharge != was.recharge || is.bases != bases)
             say("the " + was.id + " agent has another battery", was.id);
         const double battery = std::min(was.range / was.speed, was.endurance);
         if (std::isinf(battery)) return;
@@ -172,15 +164,22 @@ class ContinuityJudge {
             const double next = *state->flown > 0 ? state_.now : std::max(state_.now, was.ready_at);
             flown = *state->flown + (landed ? 0 : std::max(decision.time - next, 0.0));
         }
+        // Of one that has recharged meanwhile as planned.
+        for (const Recharge& recharge : old.recharges) {
+            const bool is_said = state != nullptr && state->flown && recharge.until <= state_.now;
+            const bool is_over = on_time && recharge.until <= decision.time + slack(decision.time);
+            if (is_over && !is_said) flown = std::max(until - recharge.until, 0.0);
+        }
         const Waypoint& free = path.path[decision.point];
         const double home = std::hypot(free.x - is.goal.x, free.y - is.goal.y) / is.speed;
         if (home == 0) flown = std::min(flown, battery);
-        if (!same(is.flown, flown))
+        // What a late one has flown since it recharged, only its planner knows.
+        if (!same(is.flown, flown) && (on_time || old.recharges.empty()))
             say("the " + was.id + " agent is said to have flown for another time than it has", was.id);
         if (is.reserve == was.reserve) return;
         const bool has_zones =
             std::ranges::any_of(mission_.rules.zones, [&](const Zone& zone) { return zone.kind == ZoneKind::no_fly; });
-        if (!has_zones && path.path.back().t - decision.time > home + slack(path.path.back().t))
+        if (!has_zones && !was.recharge && path.path.back().t - decision.time > home + slack(path.path.back().t))
             say("the " + was.id + " agent uses its reserve for more than to fly home", was.id);
     }
 

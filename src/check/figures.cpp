@@ -58,7 +58,8 @@ class FiguresJudge {
         };
         // How far it is round zones, only a planner knows.
         const auto is_closed_to_air = [](const Zone& zone) { return zone.kind == ZoneKind::no_fly; };
-        const bool bends = std::ranges::any_of(terms_.rules.zones, is_closed_to_air);
+        // So it is by way of bases.
+        const bool bends = std::ranges::any_of(terms_.rules.zones, is_closed_to_air) || flyer_.recharge;
         const double flown = bends ? before.air().length.value_or(straight(*air)) : straight(*air);
         expect(Rule::before, "before removal the air agent's length", before.air().length,
                std::max(flown, straight(*air)));
@@ -70,8 +71,8 @@ class FiguresJudge {
         }
         const double drive = driver_.ready_at + *length / ground->speed;
         const double flight = flyer_.ready_at + flown / air->speed;
-        // It may have to wait for what opens by itself.
-        if (!terms_.rules.opened.empty()) return;
+        // It may have to wait for what opens by itself, or to recharge.
+        if (!terms_.rules.opened.empty() || flyer_.recharge) return;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
         if (before.ground_makespan || terms_.rules.objective == Objective::ground_makespan) {

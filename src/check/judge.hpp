@@ -57,6 +57,10 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 // That all numbers of the plan are finite. What follows has this as its precondition.
 Violations judge_numbers(const Plan& plan);
 
+// From one point to another, and to a piece of a path.
+double away(const Waypoint& a, const Waypoint& b);
+double away(const Waypoint& p, const Waypoint& a, const Waypoint& b);
+
 // A path from start to goal, in time and at the agent's speed. `asked`: the agent as the mission has it, if it does.
 Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Terms& terms);
 
@@ -93,10 +97,13 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 int most_breaches(const Agent& agent);
 std::string beyond_capacity(const Agent& agent);
 
-// That the agent is where it breaches, as long as it takes, one after the other. A ground agent stands still, its disc
-// at most `own_reach` cells from what it breaches. Precondition: its timetable is in order.
-inline constexpr double own_reach = 1;
-Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent, const Terms& terms);
+// How long a breach by that agent takes: its own time, or else the rules'.
+double lasting(const Agent& agent, const Obstacle& obstacle, const Rules& rules);
+
+// That the agent may breach these, and is where it does, as long as it takes, one after the other. A ground agent
+// stands still, its disc within its reach. `asked`: as the mission has it. Precondition: its timetable is in order.
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent, const Agent& asked,
+                          const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 // `driver` and `flyer`: as the mission has them.

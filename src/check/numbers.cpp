@@ -80,6 +80,11 @@ class NumbersJudge {
                 require(Rule::waits, "a number of " + who + "'s waits", value, agent.id, wait.obstacle);
             }
         }
+        for (const Recharge& recharge : agent.recharges) {
+            for (const double value : {recharge.from, recharge.until, recharge.flown}) {
+                require(Rule::range, "a number of " + who + "'s recharges", value, agent.id);
+            }
+        }
     }
 
     Violations found_;

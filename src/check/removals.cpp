@@ -170,6 +170,15 @@ bool is_near(const Map& map, Point from, ObstacleId obstacle, double reach) {
     return false;
 }
 
+// Whether it is one of those that the agent can breach.
+bool is_able(const Agent& agent, const Obstacle& obstacle) {
+    if (!agent.can_breach) return true;
+    if (obstacle.cells > agent.can_breach->most_cells) return false;
+    if (!agent.can_breach->only) return true;
+    const std::vector<ObstacleId>& named = *agent.can_breach->only;
+    return std::count(named.begin(), named.end(), obstacle.id) > 0;
+}
+
 }  // namespace
 
 int most_breaches(const Agent& agent) {
@@ -205,7 +214,13 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
     return found;
 }
 
-Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent,
+double lasting(const Agent& agent, const Obstacle& obstacle, const Rules& rules) {
+    const double of_each = agent.breach_time ? *agent.breach_time : rules.breach_time.per_obstacle;
+    const double of_cells = agent.breach_time_per_cell ? *agent.breach_time_per_cell : rules.breach_time.per_cell;
+    return obstacle.breach_time + of_each + of_cells * obstacle.cells;
+}
+
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& agent, const Agent& asked,
                           const Terms& terms) {
     Violations found;
     double free_from = 0;  // the breach before is over
@@ -213,17 +228,19 @@ Violations judge_breaches(const Map& map, std::span<const Breach> breaches, cons
         if (!names_obstacle(map, breach.obstacle)) continue;
         if (found.size() > enough_violations) break;
         const double until = breach.cleared_at;
-        const double from = until - terms.rules.breach_time.of(map.obstacle(breach.obstacle));
+        const double from = until - lasting(asked, map.obstacle(breach.obstacle), terms.rules);
         const auto report = [&](Rule rule, const std::string& what) {
             found.push_back({rule, what, agent.id, breach.obstacle, breach.at, until});
         };
         const bool flies = agent.kind == AgentKind::air;
+        if (!is_able(asked, map.obstacle(breach.obstacle)))
+            report(Rule::obstacle, "the " + agent.id + " agent cannot breach " + text(breach.obstacle));
         if (!(flies ? stays_there(agent, breach.at, from, until, terms) : stands_there(agent, breach, from, terms))) {
             const std::string when = from < until ? "from " + text(from) + " to " + text(until) : "at " + text(until);
             report(Rule::breach, "the " + agent.id + " agent is not at " + text(breach.at) + " " + when +
                                      " to breach " + text(breach.obstacle));
         } else if (!flies && !is_near(map, place_at(agent, from), breach.obstacle,
-                                      terms.body.reach() + own_reach + terms.tolerance)) {
+                                      terms.body.reach() + asked.reach + terms.tolerance)) {
             report(Rule::boundary, text(breach.obstacle) + " is breached from " + text(place_at(agent, from)) +
                                        ", where the " + agent.id + " agent is too far from it");
         }

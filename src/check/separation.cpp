@@ -116,4 +116,16 @@ Violations judge_separation(const std::vector<Disc>& discs, const Terms& terms) 
     return found;
 }
 
+double away(const Waypoint& a, const Waypoint& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+double away(const Waypoint& p, const Waypoint& a, const Waypoint& b) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double square = dx * dx + dy * dy;
+    const double share = square == 0 ? 0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+    return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
+}
+
 }  // namespace waybreaker::checker

@@ -63,8 +63,8 @@ class TeamJudge {
             } else if (++count[breach.by] == most_breaches(*agent->second) + 1LL) {
                 fault(Rule::capacity, beyond_capacity(*agent->second));
             }
-            if (names_obstacle(map_, breach.obstacle)) {
-                const double time = terms_.rules.breach_time.of(map_.obstacle(breach.obstacle));
+            if (names_obstacle(map_, breach.obstacle) && agent != agents_.end()) {
+                const double time = lasting(*agent->second, map_.obstacle(breach.obstacle), terms_.rules);
                 const bool stated = breach.begun_at && agree(terms_, *breach.begun_at, breach.cleared_at - time);
                 if (!stated)
                     fault(Rule::breach, what + "'s breach does not begin " + text(time) + " before it is over");
@@ -120,7 +120,7 @@ class TeamJudge {
             append(found_, judge_gain(path, agent.ready_at, alone(path.id), terms));
             const bool may_be_early = agent.kind == AgentKind::ground || agent.ready_at > 0;
             if (may_be_early) append(found_, judge_ready(path, agent, terms_));
-            append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms));
+            append(found_, judge_breaches(map_, breaches_by(agent.id), path, agent, terms));
             if (agent.kind == AgentKind::air) continue;
             Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
@@ -158,6 +158,7 @@ class TeamJudge {
         double alone = 0;
         double alone_sum = 0;
         bool all_alone = true;  // get there without removals
+        bool any_recharges = false;
         for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
             const Itinerary& path = plan_.agents[i];
             const Agent& agent = *agents_.at(path.id);
@@ -185,6 +186,7 @@ class TeamJudge {
             double arrival = agent.ready_at + length / agent.speed;
             if (may_stay) arrival = std::min(arrival, *terms_.rules.unreached);
             if (may_stay && !plan_.before.routes[i].length) arrival = *terms_.rules.unreached;
+            any_recharges = any_recharges || agent.recharge;
             alone = std::max(alone, arrival);
             alone_sum += agent.weight * arrival;
         }
@@ -198,8 +200,8 @@ class TeamJudge {
             }
             return;
         }
-        // They may have to wait for what opens by itself.
-        if (!terms_.rules.opened.empty()) return;
+        // They may have to wait for what opens by itself, or to recharge.
+        if (!terms_.rules.opened.empty() || any_recharges) return;
         expect(Rule::before, "the makespan of all, each alone,", plan_.before.makespan, alone);
         expect(Rule::before, "the flowtime of all, each alone,", plan_.before.flowtime, alone_sum);
     }

@@ -12,6 +12,7 @@
 #include "clearing/tours.hpp"
 #include "clearing/tuning.hpp"
 #include "core/stopwatch.hpp"
+#include "model/abilities.hpp"
 #include "model/objective.hpp"
 #include "waybreaker/advanced/safe_interval.hpp"
 
@@ -220,6 +221,7 @@ class ClearingPlanner {
             for (const Cleared& one : clearing->breaches) rules.opened.push_back({one.obstacle, one.cleared_at});
             clearings.push_back(std::move(*clearing));
         }
+        if (forced_but_unbreachable(map_, others)) return std::nullopt;
         return others;
     }
 
@@ -320,11 +322,7 @@ class ClearingPlanner {
 
     ClearingPlan result(const Stopwatch& total) {
         Plan& plan = best_.plan;
-        for (Breach& breach : plan.breaches) {
-            if (!breach.by.empty()) continue;
-            breach.by = mission_.first(AgentKind::air).id;
-            breach.begun_at = breach.cleared_at - mission_.rules.breach_time.of(map_.obstacle(breach.obstacle));
-        }
+        name_breacher(map_, mission_, plan.breaches);
         for (std::size_t i = 0; i < clearings_.size(); ++i) {
             for (const Cleared& one : clearings_[i].breaches) {
                 const Obstacle& obstacle = map_.obstacle(one.obstacle);

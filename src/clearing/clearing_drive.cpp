@@ -28,11 +28,11 @@ Agent under_way(const Agent& vehicle, const ClearingDrive& clearing) {
 const ClearingDrives::Leg& ClearingDrives::leg(const Agent& vehicle, Cell from, ObstacleId obstacle,
                                                std::optional<Point> next, std::vector<ObstacleId> open) {
     const Body& body = vehicle.body;
-    Key key{body.radius, body.corners, from, obstacle, {}, open};
-    if (next) std::get<4>(key) = {next->x, next->y};
+    Key key{body.radius, body.corners, vehicle.reach, from, obstacle, {}, open};
+    if (next) std::get<5>(key) = {next->x, next->y};
     const auto [known, is_new] = legs_.try_emplace(std::move(key));
     if (!is_new) return known->second;
-    const auto place = standing_place(OpenedMap(map_, open), body, from, obstacle, next);
+    const auto place = standing_place(OpenedMap(map_, open), vehicle, from, obstacle, next);
     if (!place) return known->second;
     Agent driver = vehicle;
     driver.start = from;
@@ -78,7 +78,7 @@ std::optional<ClearingDrive> ClearingDrives::drive(const Agent& vehicle, const T
             add(taken.path[i], time);
         }
         at = taken.to;
-        const double cleared = time + rules_.breach_time.of(map_.obstacle(one->obstacle));
+        const double cleared = time + time_to_breach(vehicle, map_.obstacle(one->obstacle), rules_);
         clearing.breaches.push_back({one->obstacle, at, time, cleared});
         time = cleared;
         add(at, time);

@@ -65,7 +65,7 @@ class ClearingDrives {
     const Method& method_;
     const Deadline& deadline_;
     Searchers searchers_;
-    using Key = std::tuple<double, Corners, Cell, ObstacleId, std::optional<std::pair<double, double>>,
+    using Key = std::tuple<double, Corners, double, Cell, ObstacleId, std::optional<std::pair<double, double>>,
                            std::vector<ObstacleId>>;
     std::map<Key, Leg> legs_;
 };

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "map/gap.hpp"
 #include "map/line_of_sight.hpp"
 
 namespace waybreaker::clearing {
@@ -23,15 +24,9 @@ struct Node {
     friend auto operator<=>(const Node&, const Node&) = default;
 };
 
-double to_box(Point p, const Box& box) {
-    const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
-    const double dy = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
-    return std::hypot(dx, dy);
-}
-
 // The box of an obstacle, larger by so much on each side, holds all places to breach it from.
-double margin_of_places(const Body& body) {
-    return body.reach() + reach + 1;
+double margin_of_places(const Agent& vehicle) {
+    return vehicle.body.reach() + vehicle.reach + 1;
 }
 
 // Whether a cell of the obstacle is at most so far from the centre of a cell.
@@ -56,12 +51,12 @@ struct Standing {
 
 // `way_on`: from a place on, never less than `least_on`.
 template <class WayOn>
-Standing nearest(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle, WayOn way_on,
+Standing nearest(const OpenedMap& map, const Agent& vehicle, Cell from, ObstacleId obstacle, WayOn way_on,
                  double least_on) {
-    const LineOfSight sight(map, body);
+    const LineOfSight sight(map, vehicle.body);
     const Box& box = map.map().obstacle(obstacle).bounds;
-    const double most = body.reach() + reach;
-    const auto to_places = [&](Cell c) { return std::max(to_box(c, box) - margin_of_places(body), 0.0); };
+    const double most = vehicle.body.reach() + vehicle.reach;
+    const auto to_places = [&](Cell c) { return std::max(gap(box, c) - margin_of_places(vehicle), 0.0); };
     const auto index = [&](Cell c) { return std::size_t(c.y) * std::size_t(map.width()) + std::size_t(c.x); };
     std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
     std::unordered_map<std::size_t, double> driven;
@@ -95,17 +90,17 @@ Standing nearest(const OpenedMap& map, const Body& body, Cell from, ObstacleId o
 
 }  // namespace
 
-std::optional<Cell> standing_place(const OpenedMap& map, const Body& body, Cell from, ObstacleId obstacle,
+std::optional<Cell> standing_place(const OpenedMap& map, const Agent& vehicle, Cell from, ObstacleId obstacle,
                                    std::optional<Point> next) {
     Standing found;
     if (next) {
         const Point to = *next;
-        const double apart = to_box(to, map.map().obstacle(obstacle).bounds) - margin_of_places(body);
+        const double apart = gap(map.map().obstacle(obstacle).bounds, to) - margin_of_places(vehicle);
         const auto way_on = [to](Cell c) { return distance(Point(c), to); };
-        found = nearest(map, body, from, obstacle, way_on, std::max(apart, 0.0));
+        found = nearest(map, vehicle, from, obstacle, way_on, std::max(apart, 0.0));
     } else {
         found = nearest(
-            map, body, from, obstacle, [](Cell) { return 0.0; }, 0);
+            map, vehicle, from, obstacle, [](Cell) { return 0.0; }, 0);
     }
     return std::isfinite(found.whole) ? std::optional(found.at) : std::nullopt;
 }

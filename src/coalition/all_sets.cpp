@@ -1,6 +1,9 @@
 #include "coalition/all_sets.hpp"
 
 #include <algorithm>
+#include <span>
+
+#include "model/all_sets.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -22,23 +25,8 @@ Set useful_obstacles(const Problem& problem, const Columns& columns) {
 }  // namespace
 
 std::vector<Set> all_sets(const Problem& problem, const Columns& columns, std::size_t most) {
-    const Set useful = useful_obstacles(problem, columns);
-    std::vector<Set> sets{{}};
-    std::size_t first = 0;
-    for (int size = 1; first < sets.size() && size <= problem.spare_removals(); ++size) {
-        const std::size_t last = sets.size();
-        for (std::size_t smaller = first; smaller < last; ++smaller) {
-            for (const ObstacleId id : useful) {
-                if (!sets[smaller].empty() && id <= sets[smaller].back()) continue;
-                if (sets.size() == most) return {};
-                Set larger = sets[smaller];
-                larger.push_back(id);
-                if (problem.allows(larger)) sets.push_back(std::move(larger));
-            }
-        }
-        first = last;
-    }
-    return sets;
+    const auto allowed = [&](std::span<const ObstacleId> set) { return problem.allows(set); };
+    return waybreaker::all_sets(useful_obstacles(problem, columns), problem.spare_removals(), allowed, most);
 }
 
 }  // namespace waybreaker::coalition

@@ -23,8 +23,8 @@ class DraftPlanner {
           draft_(draft) {}
 
     // How long an aircraft stays at a target of the draft.
-    auto stay() const {
-        return [this](std::size_t target) { return problem_.breach_time(draft_.set[target]); };
+    auto stay(std::size_t aircraft) const {
+        return [this, aircraft](std::size_t target) { return problem_.breach_time(aircraft, draft_.set[target]); };
     }
 
     // With nothing removed, just as a team without aircraft.
@@ -45,7 +45,7 @@ class DraftPlanner {
     std::vector<team::Path> flights() const {
         std::vector<team::Path> flights;
         for (std::size_t a = 0; a < draft_.sorties.size(); ++a) {
-            flights.push_back(flown(*problem_.aircraft()[a], draft_.sorties[a], stay()));
+            flights.push_back(flown(*problem_.aircraft()[a], draft_.sorties[a], stay(a)));
         }
         return flights;
     }
@@ -61,7 +61,7 @@ class DraftPlanner {
         std::vector<Breach> breaches;
         for (std::size_t a = 0; a < draft_.sorties.size(); ++a) {
             const Agent& aircraft = *problem_.aircraft()[a];
-            fly(aircraft, draft_.sorties[a], stay(), [&](const Stop& stop, double begun, double cleared) {
+            fly(aircraft, draft_.sorties[a], stay(a), [&](const Stop& stop, double begun, double cleared) {
                 const Obstacle& obstacle = problem_.map().obstacle(draft_.set[stop.target]);
                 Breach& breach = breaches.emplace_back();
                 breach.obstacle = obstacle.id;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coalition/tuning.hpp"
+#include "map/gap.hpp"
 
 namespace waybreaker::coalition {
 namespace {

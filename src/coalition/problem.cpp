@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "map/gap.hpp"
 #include "model/objective.hpp"
 
 namespace waybreaker::coalition {
@@ -12,12 +13,6 @@ Set united(const Set& a, const Set& b) {
     Set both;
     std::ranges::set_union(a, b, std::back_inserter(both));
     return both;
-}
-
-double gap(const Box& box, Point to) {
-    const double dx = std::max({box.min.x - to.x, to.x - box.max.x, 0.0});
-    const double dy = std::max({box.min.y - to.y, to.y - box.max.y, 0.0});
-    return std::sqrt(dx * dx + dy * dy);
 }
 
 double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {
@@ -29,7 +24,7 @@ bool contains(const Set& set, ObstacleId id) {
     return std::ranges::binary_search(set, id);
 }
 
-bool Problem::allows(const Set& set) const {
+bool Problem::allows(std::span<const ObstacleId> set) const {
     if (set.size() > std::size_t(spare_removals_)) return false;
     double weight = 0;
     for (const ObstacleId id : set) weight += map_.obstacle(id).weight;
@@ -69,21 +64,28 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
     for (const ObstacleId id : mission.rules.force) spare_budget_ -= map.obstacle(id).weight;
     least_openings_.assign(map.obstacles().size() + 1, infinity);
     short_detours_.assign(map.obstacles().size() + 1, infinity);
+    least_breach_times_.assign(map.obstacles().size() + 1, infinity);
     for (const Obstacle& obstacle : map.obstacles()) {
         double& opening = least_openings_[obstacle.id.value];
         double& detour = short_detours_[obstacle.id.value];
+        double& breach_time = least_breach_times_[obstacle.id.value];
         for (const Agent* agent : aircraft_) {
+            const double stay = time_to_breach(*agent, obstacle, mission.rules);
+            if (std::isinf(stay)) continue;
+            breach_time = std::min(breach_time, stay);
             const double there =
                 agent->ready_at + std::max(gap(obstacle.bounds, agent->begin()) - 1.5, 0.0) / agent->speed;
             const double home = std::max(gap(obstacle.bounds, agent->goal) - 1.5, 0.0) / agent->speed;
-            opening = std::min(opening, there + breach_time(obstacle.id));
+            opening = std::min(opening, there + stay);
             detour = std::min(detour, agent->weight * std::max(there + home - straight_flight(*agent), 0.0));
         }
+        if (std::isinf(breach_time)) breach_time = detour = 0;
         if (mission.rules.timing == Timing::ignore) opening = 0;
     }
     for (const TimedOpening& opening : mission.rules.opened) {
         least_openings_[opening.obstacle.value] = mission.rules.timing == Timing::ignore ? 0 : opening.at;
         short_detours_[opening.obstacle.value] = 0;
+        least_breach_times_[opening.obstacle.value] = 0;
     }
 }
 
@@ -100,9 +102,10 @@ const Problem::Earliest& Problem::earliest(ObstacleId id) const {
 Problem::Earliest Problem::find_earliest(ObstacleId id) const {
     if (const auto at = given_opening(id)) return {rules().timing == Timing::ignore ? 0 : *at, 0, 0};
     Earliest earliest;
-    const double stay = breach_time(id);
     const std::vector<Cell> boundary = map_.boundary(id);
     for (const Agent* agent : aircraft_) {
+        const double stay = time_to_breach(*agent, map_.obstacle(id), rules());
+        if (std::isinf(stay)) continue;
         for (const Cell at : boundary) {
             const double there = agent->ready_at + distance(agent->begin(), at) / agent->speed + stay;
             earliest.opening = std::min(earliest.opening, there);

@@ -24,8 +24,6 @@ using Set = std::vector<ObstacleId>;
 Set united(const Set& a, const Set& b);
 bool contains(const Set& set, ObstacleId id);
 
-// From the cells of a box to a place, in cells.
-double gap(const Box& box, Point to);
 // Lower bound of an agent's arrival by way of an obstacle that opens then.
 double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
 
@@ -54,7 +52,7 @@ class Problem {
     int spare_removals() const { return spare_removals_; }
     double spare_budget() const { return spare_budget_; }
     // Whether all of these may be removed beside those that must be.
-    bool allows(const Set& set) const;
+    bool allows(std::span<const ObstacleId> set) const;
     // What a vehicle counts as that is not at its goal by then; infinity if each must be.
     double unreached() const { return rules().unreached.value_or(infinity); }
     double weight(std::size_t vehicle) const { return vehicles_[vehicle]->weight; }
@@ -68,8 +66,9 @@ class Problem {
         return rules().objective == Objective::makespan ? last : last_on_ground;
     }
 
-    double breach_time(ObstacleId id) const {
-        return given_opening(id) ? 0 : rules().breach_time.of(map_.obstacle(id));
+    // How long that aircraft breaches it; infinity if it may not, 0 if it opens by itself.
+    double breach_time(std::size_t aircraft, ObstacleId id) const {
+        return given_opening(id) ? 0 : time_to_breach(*aircraft_[aircraft], map_.obstacle(id), rules());
     }
     // What a vehicle could drive while it gets through the rubble of each obstacle, by id, in cells; empty if there is
     // none.
@@ -86,7 +85,7 @@ class Problem {
     // So much longer, at least, an aircraft flies that passes by it, times its weight.
     double least_detour(ObstacleId id) const { return earliest(id).detour; }
     // What a breach adds to the sum of arrivals, at least.
-    double weighted_breach_time(ObstacleId id) const { return flight_weight_ * breach_time(id); }
+    double weighted_breach_time(ObstacleId id) const { return flight_weight_ * least_breach_times_[id.value]; }
     // When an aircraft is at its goal if it breaches nothing.
     static double straight_flight(const Agent& aircraft) {
         return aircraft.ready_at + distance(aircraft.begin(), aircraft.goal) / aircraft.speed;
@@ -114,6 +113,7 @@ class Problem {
     std::vector<std::vector<double>> rubble_prices_;  // by vehicle
     std::vector<double> least_openings_;              // by id
     std::vector<double> short_detours_;               // by id
+    std::vector<double> least_breach_times_;          // by id, of all aircraft; 0 where none may
     // By id, of those that were asked for.
     mutable std::vector<Earliest> earliest_;
     mutable std::vector<Once> asked_;

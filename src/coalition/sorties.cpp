@@ -47,7 +47,7 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;
         if (given == flown_) {
             Draft eager = draft;
-            eager.sorties = sorties;
+            eager.sorties = search().with_landings(sorties);
             fill(eager);
             while (find_timed_ways(eager, true)) {
                 prepare(set);
@@ -127,9 +127,11 @@ void SortiePlanner::prepare(const Set& set) {
         const Airspace air = problem_.given_opening(id) ? Airspace() : scout.airspace;
         targets_.push_back(targets_of(problem_.map(), std::span(&id, 1), air, scout.begin()).front());
     }
-    std::vector<double> stays;
-    for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
-    precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));
+    std::vector<std::vector<double>> stays(problem_.aircraft().size());
+    for (std::size_t a = 0; a < stays.size(); ++a) {
+        for (const ObstacleId id : set) stays[a].push_back(problem_.breach_time(a, id));
+    }
+    precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, set.size(), std::move(stays));
     flown_ = 0;
     for (std::size_t target = 0; target < set.size(); ++target) {
         if (const auto at = problem_.given_opening(set[target])) {
@@ -163,7 +165,7 @@ Draft SortiePlanner::best_for(const Set& set) {
     best.set = set;
     std::optional<Sorties> sorties = search().find(by_need());
     if (!sorties) return best;
-    best.sorties = std::move(*sorties);
+    best.sorties = search().with_landings(std::move(*sorties));
     if (rank(best)) fill(best);
     return best;
 }

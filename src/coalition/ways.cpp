@@ -9,6 +9,7 @@
 #include "drive/opening.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
+#include "map/gap.hpp"
 #include "model/rubble.hpp"
 #include "model/timeline.hpp"
 

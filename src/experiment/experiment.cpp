@@ -105,7 +105,8 @@ class MissionReader {
                 refuse("has no ground agent");
             }
             const std::uint32_t index = map_of(document.map, path);
-            if (experiment_.maps[index].width == 0 || !document.protect_tags.empty()) {
+            if (experiment_.maps[index].width == 0 || !document.protect_tags.empty() ||
+                !document.can_breach_tags.empty()) {
                 const io::MapFile file = mapfile::read_map_file(experiment_.maps[index].path);
                 experiment_.maps[index].width = file.map.width();
                 experiment_.maps[index].height = file.map.height();

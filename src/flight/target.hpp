@@ -20,10 +20,13 @@ struct Target {
 std::vector<Target> targets_of(const Map& map, std::span<const ObstacleId> obstacles, const Airspace& air = {},
                                Point start = {});
 
-// A visit of targets[target] at one of its cells.
+// A visit of targets[target] at one of its cells; or a landing at a base, to recharge.
 struct Stop {
+    static constexpr std::size_t base = std::size_t(-1);
     std::size_t target = 0;
     Cell at;
+
+    bool lands() const { return target == base; }
 };
 using Tour = std::vector<Stop>;
 

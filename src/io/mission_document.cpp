@@ -35,7 +35,9 @@ std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                          " laid over it: lay it over the map first, as 'waybreaker map overlay' does, and leave out "
                          "'overlays'");
     }
-    protect_tagged(file, std::exchange(document.protect_tags, {}), document.mission.rules);
+    add_tagged(file, std::exchange(document.protect_tags, {}), "protect", document.mission.rules.protect);
+    for (const auto& [agent, tags] : std::exchange(document.can_breach_tags, {}))
+        add_tagged(file, tags, "breach", *document.mission.agents[agent].can_breach->only);
     if (document.area_budget) return file.map.with_weights(area_weights(file));
     if (weights) return file.map.with_weights(*weights);
     return std::nullopt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct MissionDocument {
     bool in_seconds = false;   // a unit of time is a second
     // What is protected beside mission.rules.protect, until the map is known.
     std::vector<site::TagFilter> protect_tags = {};
+    // What agents, by their place in the mission, can breach beside CanBreach::only, until the map is known.
+    std::map<std::size_t, std::vector<site::TagFilter>> can_breach_tags = {};
     // Ground agents, by their place in the mission, of which nobody has said how large they are; until the map is
     // known.
     std::vector<std::size_t> unsized = {};
@@ -39,7 +42,7 @@ double usual_radius(const MapFile& file);
 // it differs from 0.5.
 bool size_agents(MissionDocument& document, const MapFile& file);
 
-// Makes the mission one of this map: what has the tags is protected by its id, and the tags are gone. Gives the map to
+// Makes the mission one of this map: what has the tags is named by its id, and the tags are gone. Gives the map to
 // plan on where it differs: its obstacles weigh their area where the budget is one, else `weights` by id, if any.
 // Throws InputError if nothing has a tag, the map does not say how large a cell is, or other overlays are laid over it
 // than the mission is for.

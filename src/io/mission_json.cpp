@@ -35,25 +35,9 @@ void read_ids(const JsonField& object, const char* key, std::vector<ObstacleId>&
     for (const JsonField& id : field->items()) ids.push_back(read_obstacle(id));
 }
 
-// Ids, and tags such as "amenity=hospital".
 void read_protected(const JsonField& object, MissionDocument& document) {
-    const auto field = object.find("protect");
-    if (!field) return;
-    std::vector<ObstacleId>& ids = document.mission.rules.protect;
-    std::vector<site::TagFilter>& tags = document.protect_tags;
-    ids.clear();
-    tags.clear();
-    for (const JsonField& item : field->items()) {
-        if (!item.json().is_string()) {
-            ids.push_back(read_obstacle(item));
-            continue;
-        }
-        try {
-            std::ranges::move(site::parse_tag_filters(item.text()), std::back_inserter(tags));
-        } catch (const InputError& error) {
-            item.fail(std::string("is no tag: ") + error.what());
-        }
-    }
+    if (const auto field = object.find("protect"))
+        read_obstacles(*field, document.mission.rules.protect, document.protect_tags);
 }
 
 site::OverlaySource read_overlay(const JsonField& field) {
@@ -259,7 +243,9 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     result.limits = limits;
     std::vector<Agent>& agents = result.mission.agents;
     for (const JsonField& agent : document["agents"].items()) {
-        agents.push_back(read_agent_of_mission(agent));
+        std::vector<site::TagFilter> tags;
+        agents.push_back(read_agent_of_mission(agent, &tags));
+        if (!tags.empty()) result.can_breach_tags[agents.size() - 1] = std::move(tags);
         if (agents.back().kind == AgentKind::ground && !agent.find("radius"))
             result.unsized.push_back(agents.size() - 1);
     }
@@ -285,7 +271,12 @@ MissionDocument parse_mission(std::string_view bytes, const std::string& name, c
 
 Json mission_json(const MissionDocument& document) {
     Json agents = Json::array();
-    for (const Agent& agent : document.mission.agents) agents.push_back(mission_agent_json(agent));
+    for (std::size_t i = 0; i < document.mission.agents.size(); ++i) {
+        const auto tagged = document.can_breach_tags.find(i);
+        const bool has_tags = tagged != document.can_breach_tags.end();
+        agents.push_back(
+            mission_agent_json(document.mission.agents[i], has_tags ? tagged->second : std::vector<site::TagFilter>()));
+    }
     Json json{{"format", format}};
     if (!document.map.empty()) json["map"] = document.map;
     for (const site::OverlaySource& overlay : document.overlays) json["overlays"].push_back(overlay_json(overlay));

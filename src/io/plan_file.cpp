@@ -26,6 +26,7 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
     // Without a number there is no limit but the budget.
     result.mission.rules.removals = INT_MAX;
     if (copy) result = read_mission(*copy);
+    if (!result.can_breach_tags.empty()) copy->fail("names what can be breached by tag, where a plan names ids");
     const JsonField options = root["options"];
     for (const char* member : {"timing", "objective", "corners"}) options[member].text();
     options["radius"].number();
@@ -163,6 +164,12 @@ Itinerary agent(const JsonField& field) {
     result.gain = number_or_null(field.find("gain"));
     if (const auto waits = field.find("waits")) {
         for (const JsonField& item : waits->items()) result.waits.push_back(wait(item));
+    }
+    if (const auto recharges = field.find("recharges")) {
+        for (const JsonField& item : recharges->items()) {
+            result.recharges.push_back(
+                {read_cell(item["at"]), item["from"].number(), item["until"].number(), item["flown"].number()});
+        }
     }
     return result;
 }

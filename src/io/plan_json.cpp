@@ -178,6 +178,13 @@ Json wait_json(const Wait& wait) {
     return json;
 }
 
+Json recharge_json(const Recharge& recharge) {
+    return {{"at", cell_json(recharge.at)},
+            {"from", number(recharge.from)},
+            {"until", number(recharge.until)},
+            {"flown", number(recharge.flown)}};
+}
+
 Json surface_json(const site::Surface& surface) {
     Json json{
         {"ways", number(surface.ways)}, {"off_ways", number(surface.off_ways)}, {"unknown", number(surface.unknown)}};
@@ -198,6 +205,7 @@ Json agent_json(const Itinerary& agent, const std::optional<site::Surface>& surf
     if (!agent.reached) json["reached"] = false;
     if (agent.gain) json["gain"] = number(agent.gain);
     for (const Wait& wait : agent.waits) json["waits"].push_back(wait_json(wait));
+    for (const Recharge& recharge : agent.recharges) json["recharges"].push_back(recharge_json(recharge));
     if (surface) json["surface"] = surface_json(*surface);
     json["path"] = std::move(path);
     return json;

@@ -45,8 +45,8 @@ std::string values_of(const MapFile& map, const std::string& key) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-InputError nothing_matches(const MapFile& map, const site::TagFilter& filter) {
-    const std::string what = fmt::format("nothing to protect: no obstacle of {} ", map.source);
+InputError nothing_matches(const MapFile& map, const site::TagFilter& filter, const std::string& purpose) {
+    const std::string what = fmt::format("nothing to {}: no obstacle of {} ", purpose, map.source);
     if (filter.key == name_key) {
         return InputError(what + "is called " + in_quotes(filter.text().substr(name_key.size() + 1)) +
                           "; a * stands for any text");
@@ -79,16 +79,17 @@ std::vector<ObstacleId> tagged_obstacles(const MapFile& map, const site::TagFilt
     return found;
 }
 
-void protect_tagged(const MapFile& map, const std::vector<site::TagFilter>& filters, Rules& rules) {
+void add_tagged(const MapFile& map, const std::vector<site::TagFilter>& filters, const std::string& purpose,
+                std::vector<ObstacleId>& ids) {
     for (const site::TagFilter& filter : filters) {
         const std::vector<ObstacleId> found = tagged_obstacles(map, filter);
-        if (found.empty()) throw nothing_matches(map, filter);
-        rules.protect.insert(rules.protect.end(), found.begin(), found.end());
+        if (found.empty()) throw nothing_matches(map, filter, purpose);
+        ids.insert(ids.end(), found.begin(), found.end());
     }
     if (filters.empty()) return;
-    std::ranges::sort(rules.protect);
-    const auto [first, last] = std::ranges::unique(rules.protect);
-    rules.protect.erase(first, last);
+    std::ranges::sort(ids);
+    const auto [first, last] = std::ranges::unique(ids);
+    ids.erase(first, last);
 }
 
 }  // namespace waybreaker::io

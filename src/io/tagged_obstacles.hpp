@@ -1,6 +1,7 @@
 // Obstacles by what they are or are called: people know hospitals, not their numbers.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "io/map_file.hpp"
@@ -13,8 +14,9 @@ namespace waybreaker::io {
 // they are called. A section matches if anything does that it is a part of.
 std::vector<ObstacleId> tagged_obstacles(const MapFile& map, const site::TagFilter& filter);
 
-// Protects what matches any of the filters, beside what the rules protect. Throws InputError, saying what the map has
-// instead, if no obstacle matches one of them.
-void protect_tagged(const MapFile& map, const std::vector<site::TagFilter>& filters, Rules& rules);
+// Adds what matches any of the filters to the ids, which are then ascending, each once. Throws InputError, saying what
+// the map has instead, if no obstacle matches one of them: "nothing to protect: ...", for that purpose.
+void add_tagged(const MapFile& map, const std::vector<site::TagFilter>& filters, const std::string& purpose,
+                std::vector<ObstacleId>& ids);
 
 }  // namespace waybreaker::io

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
+#include "model/bases.hpp"
 #include "model/in_range.hpp"
 #include "waybreaker/error.hpp"
 
@@ -19,16 +22,31 @@ bool has_not_begun(const Agent& was, const Position& position) {
     return was.flown == 0 && !position.on_time && position.doing != Doing::breaching && position.at == was.begin();
 }
 
+// When it has recharged for the last time, by the end of its base.
+std::optional<double> recharged_by(const Itinerary& planned, const Position& position, double ready_at) {
+    std::optional<double> last;
+    for (const Recharge& recharge : planned.recharges) {
+        const std::optional<std::size_t> end = end_of(planned, recharge);
+        if (!end) continue;
+        const double time = *end < position.next ? recharge.until : position.ahead[*end - position.next + 1].t;
+        if (time <= ready_at + hair) last = time;
+    }
+    return last;
+}
+
 // By the end of its base. An aircraft flies from when it is ready until it is down.
 double flown_by(const Agent& was, const Itinerary& planned, const Position& position, const AgentState* said,
                 double now, double ready_at) {
     const bool down = is_down(planned, position);
-    if (said != nullptr && said->flown) {
+    const std::optional<double> recharged = recharged_by(planned, position, ready_at);
+    const bool is_to_recharge = recharged && *recharged > now;
+    if (said != nullptr && said->flown && !is_to_recharge) {
         const double next = *said->flown > 0 ? now : std::max(now, was.ready_at);  // on the ground until it is ready
         return *said->flown + (down ? 0 : std::max(ready_at - next, 0.0));
     }
-    const double since = has_not_begun(was, position) ? std::max(was.ready_at, now) : was.ready_at;
     const double landed = position.on_time ? planned.path.back().t : now;
+    if (recharged) return std::max((down ? std::min(landed, ready_at) : ready_at) - *recharged, 0.0);
+    const double since = has_not_begun(was, position) ? std::max(was.ready_at, now) : was.ready_at;
     return was.flown + std::max((down ? std::min(landed, ready_at) : ready_at) - since, 0.0);
 }
 
@@ -39,16 +57,20 @@ void use_battery(const Agent& was, const Itinerary& planned, const Position& pos
     const double battery = agent.battery();
     if (std::isinf(battery)) return;
     agent.flown = flown_by(was, planned, position, said, now, agent.ready_at);
-    const double home = agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
-    // At home, an empty battery does not matter.
+    const double home = agent.recharge ? Bases(agent).least_landing(agent.begin())
+                                       : agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
+    // At home, or at a base, an empty battery does not matter.
     if (home == 0) agent.flown = std::min(agent.flown, battery);
     const double needed = agent.flown + home;
     if (std::isinf(needed) || needed <= (1 - agent.reserve) * battery) return;
     if (needed > battery * (1 + hair)) {
         agent.reserve = 0;
-        throw InputError(ErrorCode::contradiction, agent.id,
-                         flight_sentence(agent, "from where it is to its goal it", home) +
-                             ": send it to a nearer goal, or report it as lost");
+        throw InputError(
+            ErrorCode::contradiction, agent.id,
+            flight_sentence(
+                agent, agent.recharge ? "from where it is to its goal or a base it" : "from where it is to its goal it",
+                home) +
+                ": send it to a nearer goal, or report it as lost");
     }
     agent.reserve = std::max(1 - needed / battery, 0.0);
 }

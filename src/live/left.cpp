@@ -24,13 +24,14 @@ struct Work {
 };
 
 std::optional<Work> work_of(const Report& report, const Breach& breach) {
-    const double time = report.mission.rules.breach_time.of(report.map.obstacle(breach.obstacle));
-    const double begun = breach.cleared_at - time;
     for (std::size_t i = 0; i < report.plan.agents.size(); ++i) {
         const Itinerary& agent = report.plan.agents[i];
         const bool flies = agent.kind == AgentKind::air;
         if (breach.by.empty() ? !flies : agent.id != breach.by) continue;
         const std::vector<Waypoint>& path = agent.path;
+        const Obstacle& obstacle = report.map.obstacle(breach.obstacle);
+        const double begun =
+            breach.cleared_at - time_to_breach(report.mission.agents[i], obstacle, report.mission.rules);
         for (std::size_t last = 0; last < path.size(); ++last) {
             // A ground agent stops on a move.
             if (flies && (path[last].x != breach.at.x || path[last].y != breach.at.y)) continue;
@@ -131,6 +132,14 @@ double bound_until(const Report& report, std::size_t agent, const Position& posi
         if (!work || work->agent != agent || is_among(report.state.failed, breach.obstacle)) continue;
         if (const auto done = done_at(report, *work, position, breach)) until = std::max(until, *done);
     }
+    const Itinerary& planned = report.plan.agents[agent];
+    for (const Recharge& recharge : planned.recharges) {
+        const std::optional<std::size_t> end = end_of(planned, recharge);
+        if (!end || *end < position.next) continue;
+        const bool stands = *end == position.next;
+        if (stands || position.ahead[*end - position.next].t <= until)
+            until = std::max(until, position.ahead[*end - position.next + 1].t);
+    }
     return until;
 }
 
@@ -185,6 +194,10 @@ Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
     }
     std::ranges::sort(rules.opened, {}, &TimedOpening::obstacle);
     std::ranges::sort(rules.protect);
+    // Whose start is somewhere else from now on.
+    for (Agent& agent : left.agents) {
+        if (agent.recharge && agent.bases.empty()) agent.bases = {agent.start, agent.goal};
+    }
     return left;
 }
 

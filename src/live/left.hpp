@@ -37,7 +37,8 @@ struct Outlook {
 // Of each breach of the plan, in its order.
 std::vector<Outlook> outlooks_of(const Report& report, std::span<const Position> positions);
 
-// Of an air agent: until then it keeps to its flight, which is `decided` or the end of a breach that has begun by then.
+// Of an air agent: until then it keeps to its flight, which is `decided`, or the end of a breach or of a stay at a base
+// that has begun by then.
 double bound_until(const Report& report, std::size_t agent, const Position& position);
 
 // The zones that hold for some of these agents, for those alone.

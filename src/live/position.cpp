@@ -22,12 +22,24 @@ bool works_until(const Itinerary& agent, std::size_t point) {
     });
 }
 
+// It may have landed late: from now on, for all the time that it takes.
+bool recharges_until(const Itinerary& agent, double time) {
+    return std::ranges::find(agent.recharges, time, &Recharge::until) != agent.recharges.end();
+}
+
 }  // namespace
 
 std::vector<Waypoint> Position::flight() const {
     std::vector<Waypoint> path = ahead;
     path.insert(path.begin() + 1, detour.begin(), detour.end());
     return path;
+}
+
+std::optional<std::size_t> end_of(const Itinerary& agent, const Recharge& recharge) {
+    const auto is_end = [&](const Waypoint& p) { return p.t == recharge.until && place(p) == Point(recharge.at); };
+    const auto end = std::ranges::find_if(agent.path, is_end);
+    if (end == agent.path.end()) return std::nullopt;
+    return std::size_t(end - agent.path.begin());
 }
 
 Waypoint place_on(const std::vector<Waypoint>& path, double time) {
@@ -76,7 +88,8 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
         const bool works = i > position.next && works_until(agent, i);
         double t = path[i].t;
         if (!position.on_time) {
-            const double stays_until = works ? last.t + (path[i].t - path[i - 1].t) : std::max(path[i].t, last.t);
+            const double stays_until = works || recharges_until(agent, path[i].t) ? last.t + (path[i].t - path[i - 1].t)
+                                                                                  : std::max(path[i].t, last.t);
             t = stays && driven == 0 ? stays_until : last.t + driven / agent.speed;
         }
         position.ahead.push_back({path[i].x, path[i].y, t});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "waybreaker/plan.hpp"
@@ -38,6 +39,9 @@ inline constexpr double hair = 1e-9;
 inline bool same_place(const Waypoint& a, const Waypoint& b) {
     return a.x == b.x && a.y == b.y;
 }
+
+// The point of its path at which it has recharged, if it is on it.
+std::optional<std::size_t> end_of(const Itinerary& agent, const Recharge& recharge);
 
 // On the path, at that time; before and after it, its ends.
 Waypoint place_on(const std::vector<Waypoint>& path, double time);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/bases.hpp"
 #include "model/objective.hpp"
 #include "model/timeline.hpp"
 
@@ -20,14 +21,6 @@ std::vector<Waypoint> continued(const Base& base, const Position& position) {
         if (p.t > base.back().t) path.push_back(p);
     }
     return path;
-}
-
-std::vector<Point> places(std::span<const Waypoint> path) {
-    std::vector<Point> places;
-    for (const Waypoint& p : path) {
-        if (places.empty() || places.back() != Point(p.x, p.y)) places.emplace_back(p.x, p.y);
-    }
-    return places;
 }
 
 }  // namespace
@@ -62,7 +55,9 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         itinerary.path = position.finished() ? agent.approach : continued(agent.approach, position);
         if (itinerary.path.empty()) return std::nullopt;
         if (agent.kind == AgentKind::ground && ground.first_hit(itinerary.path, agent.body)) return std::nullopt;
-        if (agent.kind == AgentKind::air && !agent.may_land_at(itinerary.path.back().t)) return std::nullopt;
+        itinerary.recharges = recharges_on(agent, itinerary.path, old.breaches);
+        if (agent.kind == AgentKind::air && !keeps_battery(agent, itinerary.path, itinerary.recharges))
+            return std::nullopt;
         itinerary.start = agent.start;
         itinerary.gain.reset();
         itinerary.waits.clear();

@@ -15,8 +15,10 @@
 #include "live/state.hpp"
 #include "live/zones_now.hpp"
 #include "mission/waits.hpp"
+#include "model/bases.hpp"
 #include "model/in_zones.hpp"
 #include "model/objective.hpp"
+#include "model/timeline.hpp"
 #include "orders/orders.hpp"
 
 namespace waybreaker {
@@ -139,7 +141,7 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
 
 // Of an air agent without breaches.
 std::optional<double> flown(const Agent& agent) {
-    const double length = agent.airspace.length(agent.begin(), agent.goal);
+    const double length = path_length(route_home(agent));
     return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
@@ -197,7 +199,9 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
             if (its.status == PlanStatus::solved) route = its.after.ground();
         }
         all = all && route.length;
-        if (route.length) finish.add(agent, agent.ready_at + *route.length / agent.speed);
+        if (!route.length) continue;
+        const bool flies = agent.kind == AgentKind::air;
+        finish.add(agent, agent.ready_at + (flies ? way_home(agent).lasts : *route.length / agent.speed));
     }
     if (!all) return before;
     before.makespan = finish.makespan();

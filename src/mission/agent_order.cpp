@@ -27,7 +27,9 @@ AgentOrder::AgentOrder(const Mission& mission) : ordered_(mission), from_(missio
         for (const Waypoint& at : agent.approach) approach.emplace_back(at.t, at.y, at.x);
         return std::tuple(agent.kind, agent.start.y, agent.start.x, agent.goal.y, agent.goal.x, agent.speed,
                           agent.body.radius, agent.body.corners, agent.ready_at, agent.weight, agent.breaches,
-                          agent.own_breaches, agent.begin().y, agent.begin().x, std::move(approach));
+                          agent.own_breaches, agent.begin().y, agent.begin().x, std::move(approach), agent.reach,
+                          agent.breach_time, agent.breach_time_per_cell,
+                          agent.can_breach ? agent.can_breach->most_cells : 0);
     };
     std::ranges::stable_sort(from_, {}, key);
     for (std::size_t i = 0; i < from_.size(); ++i) ordered_.agents[i] = mission.agents[from_[i]];

@@ -16,10 +16,15 @@ void for_each_agent(const Mission& mission, const auto& visit) {
     }
 }
 
-Route flight(const Agent& agent, std::size_t aircraft, std::span<const TimedBreach> breaches) {
+Route flight(const Agent& agent, std::size_t aircraft, const JointSchedule& schedule) {
     Route route{AgentKind::air};
+    if (agent.recharge) {
+        route.path = places(schedule.air[aircraft]);
+        route.length = path_length(route.path);
+        return route;
+    }
     std::vector<Point> stops{agent.begin()};
-    for (const TimedBreach& breach : breaches) {
+    for (const TimedBreach& breach : schedule.breaches) {
         if (breach.aircraft == aircraft) stops.emplace_back(breach.at);
     }
     stops.emplace_back(agent.goal);
@@ -63,7 +68,7 @@ Outcome outcome_of(const Mission& mission, const Candidate& candidate) {
     result.routes.clear();
     for_each_agent(mission, [&](const Agent& agent, std::size_t aircraft) {
         result.routes.push_back(agent.kind == AgentKind::ground ? candidate.opening.ground
-                                                                : flight(agent, aircraft, candidate.schedule.breaches));
+                                                                : flight(agent, aircraft, candidate.schedule));
     });
     if (candidate.opening.ground.length) {
         const Finish finish = finish_of(candidate.schedule.arrival(), candidate.schedule.home);

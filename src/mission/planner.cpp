@@ -26,6 +26,8 @@
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
 #include "mission/within_range.hpp"
+#include "model/abilities.hpp"
+#include "model/bases.hpp"
 #include "model/idle.hpp"
 #include "model/in_zones.hpp"
 #include "model/opened.hpp"
@@ -146,10 +148,7 @@ void begin_on_approach(const Mission& mission, Plan& plan) {
         std::ranges::copy_if(plan.agents[i].path, std::back_inserter(path),
                              [&](const Waypoint& p) { return p.t > agent.ready_at; });
         Route& route = plan.after.routes[i];
-        route.path.clear();
-        for (const Waypoint& p : path) {
-            if (route.path.empty() || route.path.back() != Point(p.x, p.y)) route.path.emplace_back(p.x, p.y);
-        }
+        route.path = places(path);
         if (plan.agents[i].reached) route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
@@ -161,6 +160,10 @@ Plan finished(const Map& map, const Mission& mission, Plan plan) {
         std::ranges::any_of(mission.agents, [](const Agent& agent) { return !agent.approach.empty(); });
     if (!mission.clears()) begin_on_approach(mission, plan);
     if (mission.clears() || is_under_way) add_entries(map, mission, plan);
+    for (std::size_t i = 0; i < mission.agents.size(); ++i) {
+        Itinerary& itinerary = plan.agents[i];
+        itinerary.recharges = recharges_on(mission.agents[i], itinerary.path, plan.breaches);
+    }
     add_waits(map, mission, plan);
     add_orders(map, mission, plan);
     return plan;
@@ -211,7 +214,8 @@ std::vector<Plan> Planner::plans(const Map& map, const Mission& mission, const M
 std::vector<Plan> Planner::planned(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                                    std::optional<double> share, bool goes_around_late) {
     const OpenedByThemselves opened(map, mission);
-    const ActivePart active(opened.mission());
+    const Mission able = protecting_unbreachable(opened.map(), opened.mission());
+    const ActivePart active(able);
     const AgentOrder order(active.mission());
     std::optional<Evaluated> evaluated;
     if (share) evaluated = Evaluated{*share, {}};
@@ -348,7 +352,8 @@ std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const M
     }
     const OpenedByThemselves opened(map, mission);
     const InZones zoned(opened.map(), opened.mission());
-    const ActivePart active(zoned.mission());
+    const Mission able = protecting_unbreachable(zoned.map(), zoned.mission());
+    const ActivePart active(able);
     const AgentOrder order(active.mission());
     std::vector<Plan> plans = front_of_active(zoned.map(), order.mission(), method, limits);
     for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));

@@ -12,6 +12,7 @@
 #include "mission/entries.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_hits.hpp"
+#include "model/bases.hpp"
 #include "model/objective.hpp"
 #include "model/timeline.hpp"
 #include "schedule/tour_times.hpp"
@@ -30,7 +31,7 @@ void set_figures(Outcome& outcome, const Finish& finish) {
 Route flight(const Agent& agent) {
     Route route;
     route.kind = AgentKind::air;
-    route.path = agent.airspace.way(agent.begin(), agent.goal);
+    route.path = route_home(agent);
     route.length = path_length(route.path);
     return route;
 }
@@ -45,15 +46,6 @@ Route drive(const team::Vehicle& vehicle, std::vector<Point> path) {
     return route;
 }
 
-// Without the waits.
-std::vector<Point> places(std::span<const Waypoint> path) {
-    std::vector<Point> places;
-    for (const Waypoint& at : path) {
-        if (places.empty() || places.back() != Point(at.x, at.y)) places.emplace_back(at.x, at.y);
-    }
-    return places;
-}
-
 // Every agent as if it were alone, and the earliest that each can arrive; no figures of all where one has no way.
 void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, Plan& plan) {
     Finish alone;
@@ -64,7 +56,7 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
-            const double time = agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
+            const double time = agent.ready_at + way_home(agent).lasts;
             alone.add(agent, time);
             least.add(agent, time);
         } else {
@@ -81,13 +73,16 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
     plan.bound = rank(mission.rules.objective, least).first;
 }
 
-// Where the aircraft fly: in the mission's order, each straight unless it breaches.
+// Where the aircraft fly: in the mission's order, each straight home but for its landings.
 using Flights = std::vector<team::Path>;
 
 Flights straight_flights(const Mission& mission) {
     Flights flights;
     for (const Agent& agent : mission.agents) {
-        if (agent.kind == AgentKind::air) flights.push_back(flown(agent, {}, [](std::size_t) { return 0.0; }));
+        if (agent.kind == AgentKind::ground) continue;
+        Tour landings;
+        for (const Cell base : way_home(agent).landings) landings.push_back({Stop::base, base});
+        flights.push_back(flown(agent, landings, [](std::size_t) { return 0.0; }));
     }
     return flights;
 }

@@ -6,18 +6,22 @@
 
 #include "core/stopwatch.hpp"
 #include "mission/explain.hpp"
+#include "model/bases.hpp"
 #include "model/in_range.hpp"
 
 namespace waybreaker {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double share_of_first = 0.5;  // of the time
+constexpr double share_of_first = 0.5;       // of the time
+constexpr double share_of_recharging = 0.7;  // of what is left, before nobody recharges
 
 Mission without_ranges(Mission mission) {
     for (Agent& agent : mission.agents) {
         agent.range = agent.endurance = infinity;
         agent.reserve = agent.flown = 0;
+        agent.recharge.reset();
+        agent.bases.clear();
     }
     return mission;
 }
@@ -26,9 +30,25 @@ Mission without_ranges(Mission mission) {
 bool keeps_range(const Mission& mission, const Plan& plan) {
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Agent& agent = mission.agents[i];
-        if (agent.kind == AgentKind::air && !agent.may_land_at(plan.agents[i].path.back().t)) return false;
+        const std::vector<Waypoint>& path = plan.agents[i].path;
+        if (agent.kind == AgentKind::air && !keeps_battery(agent, path, recharges_on(agent, path, plan.breaches)))
+            return false;
     }
     return true;
+}
+
+// Where some recharge, and all get home without: the mission in which nobody does.
+std::optional<Mission> flown_once(const Mission& mission) {
+    Mission once = mission;
+    bool recharges = false;
+    for (Agent& agent : once.agents) {
+        recharges = recharges || agent.recharge;
+        agent.recharge.reset();
+        agent.bases.clear();
+        const double flight = agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
+        if (agent.kind == AgentKind::air && !agent.may_land_at(agent.ready_at + flight)) return std::nullopt;
+    }
+    return recharges ? std::optional(std::move(once)) : std::nullopt;
 }
 
 double reached_by(const Mission& mission, const Plan& plan) {
@@ -66,10 +86,19 @@ Plan within_range(const Map& map, const Mission& mission, const Method& method, 
     } else {
         if (evaluated != nullptr) evaluated->plans.clear();
         beyond = std::move(plan.breaches);
-        Limits left = in_time(1);
+        const std::optional<Mission> once = flown_once(mission);
+        Limits left = in_time(once ? share_of_recharging : 1);
         left.progress = limits.progress;
         Plan kept = planned(protecting_out_of_range(map, mission), plain, left);
         raise_bound(mission, plan.bound, kept);
+        if (once) {
+            Plan other = planned(protecting_out_of_range(map, *once), plain, in_time(1));
+            if (reached_by(mission, other) < reached_by(mission, kept)) {
+                other.bound = std::nullopt;
+                raise_bound(mission, kept.bound ? kept.bound : plan.bound, other);
+                kept = std::move(other);
+            }
+        }
         kept.limit_reached = kept.limit_reached || plan.limit_reached;
         plan = std::move(kept);
     }

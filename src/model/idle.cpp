@@ -4,24 +4,16 @@
 #include <optional>
 #include <utility>
 
+#include "model/abilities.hpp"
+#include "model/bases.hpp"
 #include "model/objective.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {
 
-std::vector<Point> flight_of(const Agent& agent) {
-    return agent.airspace.way(agent.begin(), agent.goal);
-}
-
 double flight_time(const Agent& agent) {
-    return agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
-}
-
-std::vector<Waypoint> timed_flight(const Agent& agent) {
-    std::vector<Waypoint> path = timed(flight_of(agent), agent.speed, agent.ready_at);
-    if (agent.ready_at > 0) path.insert(path.begin(), {path.front().x, path.front().y, 0});
-    return path;
+    return agent.ready_at + way_home(agent).lasts;
 }
 
 }  // namespace
@@ -84,7 +76,7 @@ void ActivePart::add_idle(Outcome& outcome) const {
         if (!idle_[i]) continue;
         const Agent& agent = whole_.agents[i];
         routes[i].kind = AgentKind::air;
-        routes[i].path = flight_of(agent);
+        routes[i].path = route_home(agent);
         routes[i].length = path_length(routes[i].path);
     }
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
@@ -105,10 +97,8 @@ Plan ActivePart::whole(const Map& map, Plan plan) const {
     const auto reached = value(plan.after, whole_.rules.objective);
     for (Breach& breach : plan.breaches) {
         if (breach.saves && reached) breach.saves = with_idle(*reached + *breach.saves) - with_idle(*reached);
-        if (!breach.by.empty()) continue;
-        breach.by = active_.first(AgentKind::air).id;
-        breach.begun_at = breach.cleared_at - whole_.rules.breach_time.of(map.obstacle(breach.obstacle));
     }
+    name_breacher(map, active_, plan.breaches);
     std::erase_if(plan.next, [&](NextBreach& next) {
         next.saves = with_idle(*reached) - with_idle(*reached - next.saves);
         return next.saves <= 0;
@@ -119,7 +109,7 @@ Plan ActivePart::whole(const Map& map, Plan plan) const {
         for (std::size_t i = 0; i < idle_.size(); ++i) {
             const Agent& agent = whole_.agents[i];
             agents.push_back(
-                idle_[i] ? Itinerary{agent.id, agent.kind, agent.speed, timed_flight(agent), agent.start, agent.goal}
+                idle_[i] ? Itinerary{agent.id, agent.kind, agent.speed, flight_home(agent), agent.start, agent.goal}
                          : std::move(*active++));
         }
         plan.agents = std::move(agents);

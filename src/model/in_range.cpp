@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/range.hpp"
+#include "model/bases.hpp"
 #include "model/in_zones.hpp"
 #include "waybreaker/error.hpp"
 
@@ -25,26 +26,43 @@ double least_flight(const Agent& agent, const Box& box) {
     return (to_box(agent.begin()) + to_box(agent.goal)) / agent.speed;
 }
 
-// Such a flight, in units of time: one that is short enough, or the shortest.
+// Such a flight, in units of time: one that is short enough, or the shortest. Of an aircraft that recharges, from one
+// landing to the next.
 double flight_past(const Map& map, const Agent& agent, const Obstacle& obstacle, double enough) {
     double shortest = infinity;
+    std::optional<Bases> bases;
+    if (agent.recharge) bases.emplace(agent);
     for (const Cell at : map.boundary(obstacle.id)) {
         if (!agent.airspace.allows(at)) continue;
-        const double length = agent.airspace.length(agent.begin(), at) + agent.airspace.length(at, agent.goal);
-        shortest = std::min(shortest, length / agent.speed);
+        const auto straight = [&] {
+            const double length = agent.airspace.length(agent.begin(), at) + agent.airspace.length(at, agent.goal);
+            return length / agent.speed;
+        };
+        shortest = std::min(shortest, bases ? bases->least_sortie(at) : straight());
         if (shortest <= enough) break;
     }
     return shortest;
 }
 
-bool may_breach(const Agent& agent) {
-    return agent.kind == AgentKind::air && agent.breaches > 0;
+// Between two landings, of one that recharges; else all that is left of its flight. In units of time.
+double longest_sortie(const Agent& agent) {
+    return agent.recharge ? (1 - agent.reserve) * agent.battery() : agent.longest_flight();
+}
+
+// How long the breach takes; infinity if it may not.
+double stay_of(const Agent& agent, const Obstacle& obstacle, const Rules& rules) {
+    const bool may = agent.kind == AgentKind::air && agent.breaches > 0;
+    return may ? time_to_breach(agent, obstacle, rules) : infinity;
 }
 
 bool is_in_range(const Map& map, const Mission& mission, const Obstacle& obstacle) {
-    const double stay = mission.rules.breach_time.of(obstacle);
     return std::ranges::any_of(mission.agents, [&](const Agent& agent) {
-        if (!may_breach(agent) || std::isinf(agent.longest_flight())) return may_breach(agent);
+        const double stay = stay_of(agent, obstacle, mission.rules);
+        if (std::isinf(stay) || std::isinf(agent.longest_flight())) return std::isfinite(stay);
+        if (agent.recharge) {
+            const double longest = longest_sortie(agent) * (1 + 1e-9);
+            return flight_past(map, agent, obstacle, longest - stay) + stay <= longest;
+        }
         const auto fits = [&](double flight) { return agent.may_land_at(agent.ready_at + flight + stay); };
         return fits(least_flight(agent, obstacle.bounds)) &&
                fits(flight_past(map, agent, obstacle, agent.longest_flight() - stay));
@@ -66,11 +84,29 @@ void validate_limits(const Agent& agent) {
     const auto refuse = [&](const std::string& why) {
         throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
     };
+    if (agent.recharge) {
+        require_positive(*agent.recharge, "time to recharge");
+        require_range(*agent.recharge, 0, most_breach_time, "the time to recharge of the " + agent.id + " agent");
+    }
     if (agent.reserve == 1) refuse("keeps all of its range in reserve");
     if (agent.reserve > 0 && !is_limited) refuse("has a reserve, and neither a range nor an endurance");
     if (agent.flown > 0 && !is_limited) refuse("has flown, and has neither a range nor an endurance");
+    if (agent.recharge && !is_limited) refuse("recharges, and has neither a range nor an endurance");
+    if (!agent.bases.empty() && !agent.recharge) refuse("has bases, and no time to recharge there");
+    if (agent.bases.size() > most_bases)
+        refuse("has " + std::to_string(agent.bases.size()) + " bases: at most " + std::to_string(most_bases));
     if (!is_limited) return;
     if (agent.kind == AgentKind::ground) refuse("drives: range and endurance are for air agents");
+}
+
+void validate_bases(const Map& map, const Agent& agent) {
+    for (const Cell base : agent.bases) {
+        const std::string name =
+            "the base " + std::to_string(base.x) + "," + std::to_string(base.y) + " of the " + agent.id + " agent";
+        if (!map.grid().contains(base)) throw InputError(ErrorCode::off_map, agent.id, name + " is off the map");
+        if (!agent.airspace.allows(base))
+            throw InputError(ErrorCode::contradiction, agent.id, name + " lies in a no-fly zone");
+    }
 }
 
 }  // namespace
@@ -80,7 +116,7 @@ std::string flight_sentence(const Agent& agent, const std::string& what, double 
     const auto figure = [&](double value) { return number_text(by_range ? value * agent.speed : value); };
     const std::string reserve = agent.reserve > 0 ? ", with " + number_text(100 * agent.reserve) + " % in reserve" : "";
     return "the " + agent.id + " agent can " + (agent.flown > 0 ? "still " : "") + "fly " + (by_range ? "" : "for ") +
-           figure(agent.longest_flight()) + (by_range ? " cells" : " units of time") + reserve + "; " + what +
+           figure(longest_sortie(agent)) + (by_range ? " cells" : " units of time") + reserve + "; " + what +
            (by_range ? " is " : " takes ") + figure(time);
 }
 
@@ -94,9 +130,12 @@ void validate_flights(const Map& map, const Mission& mission) {
     };
     for (const Agent& agent : flown.agents) {
         if (agent.kind == AgentKind::ground) continue;
+        validate_bases(map, agent);
         const double time = agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
-        if (!agent.may_land_at(agent.ready_at + time))
-            refuse(agent.id, flight_sentence(agent, "from its start to its goal it", time));
+        const bool gets_home = agent.recharge ? !Bases(agent).ways(agent.begin(), agent.flown, agent.goal).empty()
+                                              : agent.may_land_at(agent.ready_at + time);
+        const std::string bases = agent.recharge ? ", and no way over its bases has only shorter flights" : "";
+        if (!gets_home) refuse(agent.id, flight_sentence(agent, "from its start to its goal it", time) + bases);
     }
     for (const ObstacleId id : mission.rules.force) {
         const auto why = out_of_range(map, flown, id);
@@ -113,9 +152,10 @@ std::optional<OutOfRange> out_of_range(const Map& map, const Mission& mission, O
     if (is_in_range(map, mission, obstacle)) return std::nullopt;
     std::optional<OutOfRange> nearest;
     for (const Agent& agent : mission.agents) {
-        if (!may_breach(agent)) continue;
-        const double longest = agent.longest_flight();
-        const double flight = flight_past(map, agent, obstacle, 0) + mission.rules.breach_time.of(obstacle);
+        const double stay = stay_of(agent, obstacle, mission.rules);
+        if (std::isinf(stay)) continue;
+        const double longest = longest_sortie(agent);
+        const double flight = flight_past(map, agent, obstacle, 0) + stay;
         if (nearest && flight / longest >= nearest->flight / nearest->longest) continue;
         nearest = {id, obstacle.source_id, agent.id, flight, longest};
     }

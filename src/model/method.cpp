@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/range.hpp"
+#include "model/abilities.hpp"
 #include "model/idle.hpp"
 #include "waybreaker/error.hpp"
 
@@ -156,6 +157,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
     validate(map, mission);
     validate_own_breaches(mission);
     validate_capacity(mission);
+    validate_abilities(map, mission);
     validate_team(ActivePart(mission).mission(), method);
     validate_demolition(map, mission, method);
 }

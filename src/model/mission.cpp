@@ -262,6 +262,10 @@ bool Mission::clears() const {
     return agents.size() > 1 && std::ranges::any_of(agents, [](const Agent& agent) { return agent.own_breaches > 0; });
 }
 
+bool Mission::limits_breaches() const {
+    return std::ranges::any_of(agents, [](const Agent& agent) { return agent.can_breach.has_value(); });
+}
+
 bool Mission::limits_flights() const {
     return std::ranges::any_of(agents, [](const Agent& agent) { return std::isfinite(agent.longest_flight()); });
 }

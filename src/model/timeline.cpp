@@ -149,6 +149,14 @@ std::vector<Waypoint> timed(std::span<const Point> path, double speed, double fr
     return points;
 }
 
+std::vector<Point> places(std::span<const Waypoint> path) {
+    std::vector<Point> places;
+    for (const Waypoint& at : path) {
+        if (places.empty() || places.back() != Point(at.x, at.y)) places.emplace_back(at.x, at.y);
+    }
+    return places;
+}
+
 std::vector<Wait> stands(const Itinerary& agent) {
     std::vector<Wait> waits;
     for (std::size_t i = 1; i < agent.path.size(); ++i) {

@@ -17,6 +17,9 @@ double path_length(std::span<const Point> path);
 // The path driven without a stop from that time on.
 std::vector<Waypoint> timed(std::span<const Point> path, double speed, double from = 0);
 
+// The path without its times and waits.
+std::vector<Point> places(std::span<const Waypoint> path);
+
 // Where an agent stands on its path, and for how long; without reasons.
 std::vector<Wait> stands(const Itinerary& agent);
 

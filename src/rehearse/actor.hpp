@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "rehearse/script.hpp"
@@ -48,6 +49,7 @@ struct Actor {
     double reserve = 0;
     double flown = 0;
     double took_off = never;
+    bool recharging = false;
     Point lost_at = {};
     Trail trail = {};
 
@@ -61,6 +63,22 @@ struct Actor {
         flown = in_the_air(now);
         took_off = never;
         return flown > (1 - reserve) * battery * (1 + 1e-6);
+    }
+    // Begins what it does at the next stop, where it is: whether it lands on its reserve for that.
+    bool begin_work(const Stop& next, double now) {
+        work = next.breaches;
+        recharging = next.recharges;
+        if (recharging) return land(now);
+        take_off(now);
+        return false;
+    }
+    // Its battery is full, if it has recharged. Whether the plan, which may have changed, has it there for that.
+    bool ends_work_as_planned() {
+        const bool recharged = std::exchange(recharging, false);
+        if (recharged) flown = 0;
+        if (stop + 1 == script.size()) return false;
+        const Stop& next = script[stop + 1];
+        return recharged ? next.at == here().at : next.breaches == work;
     }
     bool flies() const { return took_off != never; }
     double in_the_air(double now) const { return flown + (flies() ? now - took_off : 0); }

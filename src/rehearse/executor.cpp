@@ -137,8 +137,7 @@ class Execution {
         const Stop& next = actor.script[actor.stop + 1];
         if (next.at == here.at) {
             if (next.work == 0) return get_to_next(actor);
-            actor.work = next.breaches;
-            actor.take_off(now_);
+            result_.on_reserve += actor.begin_work(next, now_) ? 1 : 0;
             return stand(actor, Phase::at_work, now_ + next.work);
         }
         if (here.share == 0 && !actor.rolls && !actor.delayed) {
@@ -183,7 +182,7 @@ class Execution {
     void finish_work(Actor& actor) {
         const std::vector<ObstacleId> work = actor.work;
         // By the plan it is done at the next stop; where the plan has changed meanwhile, here.
-        const bool planned = actor.stop + 1 < actor.script.size() && actor.script[actor.stop + 1].breaches == work;
+        const bool planned = actor.ends_work_as_planned();
         if (!try_breaches(work)) {
             actor.work.clear();
             if (planned) ++actor.stop;

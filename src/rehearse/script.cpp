@@ -99,13 +99,23 @@ std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Pla
         const Agent& asked = mission.agents[i];
         Script& script = scripts[i];
         for (std::size_t k = 0; k < agent.path.size(); ++k) script.push_back({.point = k, .at = place(agent.path[k])});
+        for (const Recharge& recharge : agent.recharges) {
+            const auto is_end = [&](const Waypoint& p) {
+                return p.t == recharge.until && place(p) == Point(recharge.at);
+            };
+            const auto end = std::ranges::find_if(agent.path, is_end);
+            if (end == agent.path.end()) continue;
+            Stop& stop = script[std::size_t(end - agent.path.begin())];
+            stop.recharges = true;
+            stop.work = asked.recharge.value_or(0);
+        }
         const std::size_t ready = asked.approach.empty() ? 0 : asked.approach.size() - 1;
         script[std::min(ready, script.size() - 1)].not_before = asked.ready_at;
         for (const Breach& breach : plan.breaches) {
             const std::optional<std::size_t> end = end_of(agent, breach);
             if (!end) continue;
             script[*end].breaches.push_back(breach.obstacle);
-            script[*end].work += mission.rules.breach_time.of(map.obstacle(breach.obstacle));
+            script[*end].work += time_to_breach(asked, map.obstacle(breach.obstacle), mission.rules);
         }
     }
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {

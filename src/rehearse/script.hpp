@@ -18,6 +18,7 @@ struct Stop {
     Point at = {};
     double not_before = 0;                  // when it goes on, or has arrived
     double work = 0;                        // how long it is at work, or stands for rubble, before it is done here
+    bool recharges = false;                 // it is at a base for that
     std::vector<ObstacleId> breaches = {};  // which then opens
     std::vector<std::size_t> signals = {};  // orders whose first event is that the agent got here
     std::vector<std::size_t> waits = {};    // orders whose second event is that it goes on from here

@@ -61,6 +61,7 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     std::vector<LegendEntry> entries;
     if (!scene.places(&Agent::start).empty()) entries.push_back({start_sign(middle, unit), "start"});
     if (!scene.places(&Agent::goal).empty()) entries.push_back({goal_sign(middle, unit), "goal"});
+    if (!scene.bases().empty()) entries.push_back({base_sign(middle, unit), "recharging base"});
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }

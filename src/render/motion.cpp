@@ -140,10 +140,15 @@ class Round {
         }
     }
 
+    const Agent& breacher_of(const Breach& breach) const {
+        const auto named = std::ranges::find(mission_.agents, breach.by, &Agent::id);
+        return named == mission_.agents.end() ? mission_.first(AgentKind::air) : *named;
+    }
+
     // A ring around the aircraft while it breaches.
     void breach(std::size_t i, const Breach& breach) {
         const std::string id = fmt::format("breach{}", i + 1);
-        const double stay = mission_.rules.breach_time.of(map_.obstacle(breach.obstacle));
+        const double stay = time_to_breach(breacher_of(breach), map_.obstacle(breach.obstacle), mission_.rules);
         const double begin = percent(breach.begun_at.value_or(breach.cleared_at - stay));
         const double end = percent(breach.cleared_at);
         rules_ += played(id, fmt::format("0%,{:.6g}%{{opacity:0}}{:.6g}%,{:.6g}%{{opacity:1}}{:.6g}%,100%{{opacity:0}}",

@@ -70,6 +70,7 @@ inline constexpr double removed_edge = 1.7;
 inline constexpr double breach_label = 11;  // radius
 inline constexpr double start = 9.5;        // radius
 inline constexpr double start_at_goal = 22;
+inline constexpr double base = 10;  // half the side of its plate
 inline constexpr double goal = 15;  // radius of the star
 inline constexpr double place = 9;  // radius of the one that counts for most
 }  // namespace size

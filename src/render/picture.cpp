@@ -167,6 +167,8 @@ std::string draw_marks(const Scene& scene) {
     const std::vector<Point> goals = scene.places(&Agent::goal);
     std::vector<Point> taken = starts;
     taken.insert(taken.end(), goals.begin(), goals.end());
+    const std::vector<Point> bases = scene.bases();
+    taken.insert(taken.end(), bases.begin(), bases.end());
     std::string out;
     if (scene.options.reach) {
         const std::vector<Point> places = scene.on_map(places_of(scene));
@@ -175,6 +177,7 @@ std::string draw_marks(const Scene& scene) {
     }
     const Moments all = moments(scene, taken);
     out += all.signs;
+    for (const Point base : bases) out += base_sign(base, scene.unit());
     for (const Point start : starts) {
         out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
     }

@@ -43,6 +43,17 @@ struct Scene {
         }
         return on_map(cells);
     }
+    // Where aircraft recharge, each once: at places of their own, or else at starts and goals, which have their signs.
+    std::vector<Point> bases() const {
+        std::vector<Cell> cells;
+        for (const Agent& agent : mission.agents) {
+            if (!agent.recharge) continue;
+            for (const Cell base : agent.bases) {
+                if (std::ranges::find(cells, base) == cells.end()) cells.push_back(base);
+            }
+        }
+        return on_map(cells);
+    }
     // Of several aircraft the one that breaches, in the mission's order; empty if there is no doubt.
     std::optional<std::size_t> opener(const Breach& breach) const {
         std::size_t count = 0;

@@ -106,6 +106,24 @@ std::string goal_sign(Point at, double unit) {
         star(at, size::goal * unit), colour::ink, colour::halo, 5 * unit);
 }
 
+std::string base_sign(Point at, double unit) {
+    const double half = size::base * unit;
+    const auto plate = [&](double edge, std::string_view colour) {
+        return fmt::format(R"(rx="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}")", 0.35 * half, colour::halo,
+                           colour, edge * unit);
+    };
+    const Rectangle square{at.x - half, at.y - half, 2 * half, 2 * half};
+    // Its case with what is in it, and its pole.
+    const Rectangle around{at.x - 0.62 * half, at.y - 0.45 * half, 1.1 * half, 0.9 * half};
+    const Rectangle charge{at.x - 0.42 * half, at.y - 0.25 * half, 0.4 * half, 0.5 * half};
+    const Rectangle pole{at.x + 0.48 * half, at.y - 0.2 * half, 0.18 * half, 0.4 * half};
+    const std::string filled = fmt::format(R"(fill="{}")", colour::air_edge);
+    return rectangle(square, plate(6, colour::halo)) + rectangle(square, plate(2.2, colour::air_edge)) +
+           rectangle(around,
+                     fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::air_edge, 1.6 * unit)) +
+           rectangle(charge, filled) + rectangle(pole, filled);
+}
+
 std::string breach_leader(Point at, Point label, double unit) {
     if (std::hypot(at.x - label.x, at.y - label.y) < unit) return "";
     const std::string data = path_data({at, label});

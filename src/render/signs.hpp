@@ -25,6 +25,9 @@ std::string aircraft_sign(std::size_t number, const std::vector<Point>& points, 
 std::string start_sign(Point at, double unit, bool is_goal = false);
 std::string goal_sign(Point at, double unit);
 
+// A plate with a battery on it, where aircraft recharge.
+std::string base_sign(Point at, double unit);
+
 // A breach has a disc with its number, and a line to it if the disc lies aside. Without a number the disc is small.
 std::string breach_leader(Point at, Point label, double unit);
 std::string breach_label(Point at, std::string_view number, double unit);

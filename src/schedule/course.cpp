@@ -2,31 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "model/timeline.hpp"
 
 namespace waybreaker {
 
-Precedence Needs::precedence(std::vector<const Agent*> aircraft) const {
+Precedence Needs::precedence(std::vector<const Agent*> aircraft, std::vector<std::vector<double>> stays) const {
     Drive drive{unhindered};
-    std::vector<double> stays;
     for (std::size_t target = 0; target < targets.size(); ++target) {
         const Breaching& breaching = breachings[target];
         if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by + held});
-        stays.push_back(breaching.stay);
     }
-    Precedence precedence(std::move(aircraft), std::move(stays));
+    Precedence precedence(std::move(aircraft), targets.size(), std::move(stays));
     precedence.add_vehicle({std::move(drive)});
     return precedence;
 }
 
-Needs Needs::only(std::uint32_t subset) const {
+Needs Needs::only(std::uint32_t subset, std::span<const double> stays) const {
     Needs some{{}, {}, unhindered, across, driven, given, held};
     for (std::size_t target = 0; target < targets.size(); ++target) {
         if ((subset >> target & 1U) == 0) continue;
         some.targets.push_back(targets[target]);
         some.breachings.push_back(breachings[target]);
+        some.breachings.back().stay = stays[target];
     }
     return some;
 }
@@ -48,8 +48,10 @@ Needs needs_of(const Map& map, const ScheduleTask& task) {
 }
 
 Course::Course(const ScheduleTask& task, Needs needs) : task_(task), needs_(std::move(needs)) {
-    precedence_ = needs_.precedence({&task.flyer});
-    for (const Breaching& breaching : needs_.breachings) stays_ += breaching.stay;
+    std::vector<double> stays;
+    for (const Breaching& breaching : needs_.breachings) stays.push_back(breaching.stay);
+    stays_ = std::accumulate(stays.begin(), stays.end(), 0.0);
+    precedence_ = needs_.precedence({&task.flyer}, {std::move(stays)});
     longest_tour_ = needs_.across * double(needs_.targets.size() + 1);
     // A way round zones is at most once at each of their corners.
     if (!task.flyer.airspace.is_open()) longest_tour_ *= double(most_zone_corners + 1);

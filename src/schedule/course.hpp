@@ -27,10 +27,10 @@ struct Needs {
     std::vector<Due> given = {};        // what opens by itself
     double held = 0;                    // how long the ground agent waits for that
 
-    // The ground agent past the targets, and those that breach them.
-    Precedence precedence(std::vector<const Agent*> aircraft) const;
-    // Of those of the targets only that a set of bits names.
-    Needs only(std::uint32_t subset) const;
+    // The ground agent past the targets, and those that breach them. `stays`: as those of a precedence.
+    Precedence precedence(std::vector<const Agent*> aircraft, std::vector<std::vector<double>> stays) const;
+    // Of those of the targets only that a set of bits names, where an aircraft stays so long at each of all.
+    Needs only(std::uint32_t subset, std::span<const double> stays) const;
 };
 // Throws InputError for an obstacle that fills the whole map.
 Needs needs_of(const Map& map, const ScheduleTask& task);

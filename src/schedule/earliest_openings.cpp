@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/bases.hpp"
 #include "schedule/timetable.hpp"
 
 namespace waybreaker {
@@ -29,6 +30,12 @@ double hop(const Box& a, const Box& b) {
 
 EarliestOpenings::EarliestOpenings(const Map& map, const Rules& rules, std::vector<const Agent*> aircraft)
     : map_(map), rules_(rules), aircraft_(std::move(aircraft)), legs_(aircraft_.size()) {}
+
+double EarliestOpenings::least_stay(ObstacleId id) const {
+    double least = never;
+    for (std::size_t a = 0; a < aircraft_.size(); ++a) least = std::min(least, stay(a, id));
+    return least;
+}
 
 const EarliestOpenings::Times& EarliestOpenings::of(std::span<const ObstacleId> obstacles) {
     const auto [known, is_new] = known_.try_emplace({obstacles.begin(), obstacles.end()});
@@ -59,7 +66,8 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
     std::vector<double> lengths(subsets * count, never);
     Flights flights{std::vector<double>(subsets, never), std::vector<double>(subsets, never)};
     flights.open[0] = 0;
-    flights.home[0] = agent.ready_at + agent.airspace.length(agent.begin(), agent.goal) / agent.speed;
+    flights.home[0] =
+        agent.ready_at + with_recharging(agent, agent.airspace.length(agent.begin(), agent.goal) / agent.speed);
     for (std::size_t i = 0; i < count; ++i)
         lengths[(std::size_t{1} << i) * count + i] = legs(aircraft, obstacles[i]).first;
     for (std::uint32_t subset = 1; subset < subsets; ++subset) {
@@ -73,7 +81,7 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
             if ((subset >> last & 1U) == 0) continue;
             const double length = lengths[subset * count + last];
             const Legs& alone = legs(aircraft, obstacles[last]);
-            stays += stay(obstacles[last]);
+            stays += stay(aircraft, obstacles[last]);
             open = std::min(open, length);
             home = std::min(home, length + alone.last);
             farthest = std::max(farthest, alone.first);
@@ -87,8 +95,8 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
         }
         double& opened = flights.open[subset];
         double& landed = flights.home[subset];
-        opened = agent.ready_at + std::max(open, farthest) / agent.speed + stays;
-        landed = agent.ready_at + std::max(home, whole) / agent.speed + stays;
+        opened = agent.ready_at + with_recharging(agent, std::max(open, farthest) / agent.speed + stays);
+        landed = agent.ready_at + with_recharging(agent, std::max(home, whole) / agent.speed + stays);
         if (!agent.may_land_at(landed)) opened = landed = never;
         // By boxes, a flight by way of a large obstacle would be shorter than one past it.
         for (std::uint32_t rest = subset; rest != 0; rest &= rest - 1) {
@@ -137,7 +145,7 @@ EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const Obst
     }
     Times times = least[subsets - 1];
     double rest = 0;
-    for (const ObstacleId id : obstacles.subspan(toured.size())) rest += stay(id);
+    for (const ObstacleId id : obstacles.subspan(toured.size())) rest += least_stay(id);
     times.home.sum += weighted(least_weight_of(aircraft_), rest);
     if (aircraft_.size() == 1) {
         times.open += rest;
@@ -151,17 +159,17 @@ EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const Obst
 // Some aircraft flies to each of them; an only one breaches all others as well.
 void EarliestOpenings::add_single_visits(std::span<const ObstacleId> obstacles, Times& times) {
     double all = 0;
-    for (const ObstacleId id : obstacles) all += stay(id);
+    for (const ObstacleId id : obstacles) all += least_stay(id);
     for (const ObstacleId id : obstacles) {
         double open = never;
         double home = never;
         for (std::size_t a = 0; a < aircraft_.size(); ++a) {
             const Agent& agent = *aircraft_[a];
             if (agent.breaches == 0) continue;
-            const double stays = aircraft_.size() == 1 ? all : stay(id);
-            const double landed = agent.ready_at + legs(a, id).whole / agent.speed + stays;
+            const double stays = aircraft_.size() == 1 ? all : stay(a, id);
+            const double landed = agent.ready_at + with_recharging(agent, legs(a, id).whole / agent.speed + stays);
             if (!agent.may_land_at(landed)) continue;
-            open = std::min(open, agent.ready_at + legs(a, id).first / agent.speed + stays);
+            open = std::min(open, agent.ready_at + with_recharging(agent, legs(a, id).first / agent.speed + stays));
             home = std::min(home, landed);
         }
         times.open = std::max(times.open, open);

@@ -40,7 +40,10 @@ class EarliestOpenings {
         std::vector<double> open;
         std::vector<double> home;
     };
-    double stay(ObstacleId id) const { return rules_.breach_time.of(map_.obstacle(id)); }
+    double stay(std::size_t aircraft, ObstacleId id) const {
+        return time_to_breach(*aircraft_[aircraft], map_.obstacle(id), rules_);
+    }
+    double least_stay(ObstacleId id) const;  // of all
     const Legs& legs(std::size_t aircraft, ObstacleId id);
     Flights flights_of(std::size_t aircraft, std::span<const ObstacleId> obstacles);
     Times times_of(std::span<const ObstacleId> all);

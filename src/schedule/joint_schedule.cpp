@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +22,8 @@ namespace {
 // Shares of the obstacles that are flown at their best, over all aircraft; where there are more, local search.
 constexpr std::size_t most_shares = 64;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 ScheduleTask task_of(const JointTask& task, std::size_t aircraft, const Deadline& deadline) {
     return {.ground_path = task.ground_path,
             .driver = task.driver,
@@ -31,18 +34,18 @@ ScheduleTask task_of(const JointTask& task, std::size_t aircraft, const Deadline
 }
 
 // Of one aircraft.
-Returns returns_of(const Agent& aircraft, std::span<const Waypoint> path) {
+Returns returns_of(const Agent& aircraft, double landed) {
     Finish finish;
-    finish.add(aircraft, path.back().t);
+    finish.add(aircraft, landed);
     return {finish.air, finish.air};
 }
 
 JointSchedule joint(const Map& map, const JointTask& task, Schedule alone) {
     JointSchedule schedule;
-    schedule.home = returns_of(*task.aircraft.front(), alone.air);
+    schedule.home = returns_of(*task.aircraft.front(), alone.air.back().t);
     for (std::size_t i = 0; i < alone.flight.breaches.size(); ++i) {
         const auto& [obstacle, at] = alone.flight.breaches[i];
-        const double stay = task.rules.breach_time.of(map.obstacle(obstacle));
+        const double stay = time_to_breach(*task.aircraft.front(), map.obstacle(obstacle), task.rules);
         const double cleared = alone.cleared_at[i];
         schedule.breaches.push_back({obstacle, 0, at, cleared - stay, cleared, alone.entered_at[i]});
     }
@@ -51,28 +54,47 @@ JointSchedule joint(const Map& map, const JointTask& task, Schedule alone) {
     return schedule;
 }
 
-class SeveralAircraft {
+bool recharges(const JointTask& task) {
+    return std::ranges::any_of(task.aircraft, [](const Agent* agent) { return agent->recharge.has_value(); });
+}
+
+// By aircraft and target.
+std::vector<std::vector<double>> stays_of(const Map& map, const JointTask& task, const Needs& needs) {
+    std::vector<std::vector<double>> stays;
+    for (const Agent* agent : task.aircraft) {
+        std::vector<double>& its = stays.emplace_back();
+        for (const Target& target : needs.targets)
+            its.push_back(time_to_breach(*agent, map.obstacle(target.obstacle), task.rules));
+    }
+    return stays;
+}
+
+// Of several aircraft, or one that recharges.
+class SharedOut {
   public:
-    SeveralAircraft(const Map& map, const JointTask& task)
+    SharedOut(const Map& map, const JointTask& task)
         : task_(task),
           deadline_(task.time_limit),
           first_(task_of(task, 0, deadline_)),
           needs_(needs_of(map, first_)),
-          precedence_(needs_.precedence({task.aircraft.begin(), task.aircraft.end()})),
+          stays_(stays_of(map, task, needs_)),
+          precedence_(needs_.precedence({task.aircraft.begin(), task.aircraft.end()}, stays_)),
           due_([this] { return deadline_.passed(); }) {}
 
     JointSchedule best() const {
         const SortieSearch search(task_.aircraft, needs_.targets, precedence_, task_.rules.objective, due_);
         const std::size_t targets = needs_.targets.size();
-        const bool few = targets < 16 && (task_.aircraft.size() << targets) <= most_shares;
+        const bool few = !recharges(task_) && targets < 16 && (task_.aircraft.size() << targets) <= most_shares;
         Sorties sorties;
         if (few) sorties = best_shares(std::size_t{1} << targets);
         if (sorties.empty()) {
-            sorties = search.find(in_order_of_need()).value_or(Sorties(task_.aircraft.size()));
+            std::optional<Sorties> found = search.find(in_order_of_need());
+            if (!found) return none();
+            sorties = std::move(*found);
         } else if (task_.rules.objective == Objective::flowtime) {
             search.improve(sorties);
         }
-        return schedule_of(sorties);
+        return schedule_of(search.with_landings(std::move(sorties)));
     }
 
   private:
@@ -114,13 +136,20 @@ class SeveralAircraft {
         const ScheduleTask alone = task_of(task_, aircraft, deadline_);
         std::vector<Share> shares(subsets);
         for (std::uint32_t subset = 0; subset < subsets && !deadline_.passed(); ++subset) {
-            if (std::popcount(subset) > alone.flyer.breaches) continue;
-            const Course course(alone, needs_.only(subset));
+            if (std::popcount(subset) > alone.flyer.breaches || !may_breach(aircraft, subset)) continue;
+            const Course course(alone, needs_.only(subset, stays_[aircraft]));
             Tour tour = best_tour(course, deadline_).tour;
             const Finish finish = course.finish(tour);
             shares[subset] = {std::isfinite(finish.air), finish, named(std::move(tour), subset)};
         }
         return shares;
+    }
+
+    bool may_breach(std::size_t aircraft, std::uint32_t subset) const {
+        for (std::size_t target = 0; target < needs_.targets.size(); ++target) {
+            if ((subset >> target & 1U) != 0 && !precedence_.may_breach(aircraft, target)) return false;
+        }
+        return true;
     }
 
     // One aircraft more. Of equals, the first one breaches the most.
@@ -154,6 +183,16 @@ class SeveralAircraft {
         return tour;
     }
 
+    // They may not breach all of them, however they share them out.
+    JointSchedule none() const {
+        JointSchedule schedule;
+        schedule.ground = needs_.driven;
+        schedule.home = {infinity, infinity};
+        for (const Agent* agent : task_.aircraft)
+            schedule.air.push_back(flown(*agent, Tour(), [](std::size_t) { return 0.0; }));
+        return schedule;
+    }
+
     std::vector<std::size_t> in_order_of_need() const {
         std::vector<std::size_t> order(needs_.targets.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -163,16 +202,16 @@ class SeveralAircraft {
 
     JointSchedule schedule_of(const Sorties& sorties) const {
         JointSchedule schedule;
-        const auto stay = [this](std::size_t target) { return needs_.breachings[target].stay; };
         std::vector<double> cleared(needs_.targets.size());
         for (std::size_t a = 0; a < sorties.size(); ++a) {
             const Agent& agent = *task_.aircraft[a];
+            const auto stay = [&](std::size_t target) { return stays_[a][target]; };
             schedule.air.push_back(flown(agent, sorties[a], stay));
-            fly(agent, sorties[a], stay, [&](const Stop& stop, double begun, double gone) {
+            const double landed = fly(agent, sorties[a], stay, [&](const Stop& stop, double begun, double gone) {
                 cleared[stop.target] = gone;
                 schedule.breaches.push_back({needs_.targets[stop.target].obstacle, a, stop.at, begun, gone});
             });
-            const Returns home = returns_of(agent, schedule.air.back());
+            const Returns home = returns_of(agent, landed);
             schedule.home = {std::max(schedule.home.last, home.last), schedule.home.sum + home.sum};
         }
         TimedDrive driven = drive_in_time(needs_.driven, first_.rules, needs_.breachings, cleared, needs_.given,
@@ -191,6 +230,7 @@ class SeveralAircraft {
     Deadline deadline_;
     ScheduleTask first_;  // as if its first aircraft flew alone
     Needs needs_;
+    std::vector<std::vector<double>> stays_;
     Precedence precedence_;
     std::function<bool()> due_;
 };
@@ -212,7 +252,7 @@ JointSchedule driven_alone(const Map& map, const JointTask& task) {
 
 JointSchedule best_joint_schedule(const Map& map, const JointTask& task) {
     if (task.aircraft.empty()) return driven_alone(map, task);
-    if (task.aircraft.size() > 1) return SeveralAircraft(map, task).best();
+    if (task.aircraft.size() > 1 || recharges(task)) return SharedOut(map, task).best();
     return joint(map, task, best_schedule(map, task_of(task, 0, Deadline(task.time_limit))));
 }
 

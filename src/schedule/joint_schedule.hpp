@@ -41,10 +41,10 @@ struct JointSchedule {
     double arrival() const { return ground.back().t; }
 };
 
-// The best flights for this ground path, by the objective. Of one aircraft: best_schedule. Of several: the best way to
-// share the obstacles among them, each share flown at its best, where there are few of both; that is the best there is
-// for the makespan and the ground makespan. Else, and for the flowtime, local search. Flights keep to the aircraft's
-// ranges; where such were not found, others are given.
+// The best flights for this ground path, by the objective. Of one aircraft that does not recharge: best_schedule. Of
+// several: the best way to share the obstacles among them, each share flown at its best, where there are few of both;
+// that is the best there is for the makespan and the ground makespan. Else, where any recharges, and for the flowtime,
+// local search. Flights keep to the aircraft's ranges; where such were not found, others are given.
 JointSchedule best_joint_schedule(const Map& map, const JointTask& task);
 
 // One aircraft, which flies by the paper's rule (fly_nearest).

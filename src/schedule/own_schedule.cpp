@@ -53,7 +53,7 @@ std::vector<OwnStop> stops_on(const Map& map, const Agent& driver, const Rules& 
         add({.touch = {},
              .obstacle = obstacle,
              .is_breached = true,
-             .stay = rules.breach_time.of(map.obstacle(obstacle))});
+             .stay = time_to_breach(driver, map.obstacle(obstacle), rules)});
     for (const TimedOpening& opening : rules.opened)
         add({.touch = {}, .obstacle = opening.obstacle, .opens = opening.at});
     std::ranges::stable_sort(stops, {}, [](const OwnStop& stop) { return stop.touch.time; });

@@ -23,8 +23,8 @@ double Drive::end(std::span<const double> cleared) const {
     return arrival + delay;
 }
 
-Precedence::Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays)
-    : aircraft_(std::move(aircraft)), stays_(std::move(stays)), unflown_(stays_.size(), never) {}
+Precedence::Precedence(std::vector<const Agent*> aircraft, std::size_t targets, std::vector<std::vector<double>> stays)
+    : aircraft_(std::move(aircraft)), stays_(std::move(stays)), unflown_(targets, never) {}
 
 void Precedence::add_vehicle(std::vector<Drive> drives, double weight) {
     const bool may_wait = std::ranges::any_of(drives, [](const Drive& drive) { return !drive.passages.empty(); });
@@ -37,9 +37,9 @@ void Precedence::add_vehicle(std::vector<Drive> drives, double weight) {
 
 Precedence::Flights Precedence::flights(std::span<const Tour> tours) const {
     Flights flights{unflown_, others_};
-    const auto stay = [this](std::size_t target) { return stays_[target]; };
     const auto clear = [&](const Stop& stop, double, double cleared) { flights.cleared[stop.target] = cleared; };
     for (std::size_t a = 0; a < tours.size(); ++a) {
+        const auto stay = [this, a](std::size_t target) { return stays_[a][target]; };
         flights.finish.add(*aircraft_[a], fly(*aircraft_[a], tours[a], stay, clear));
     }
     return flights;

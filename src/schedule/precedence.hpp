@@ -5,6 +5,7 @@
 // drives. A drive is as late as the worst of its passages, wherever the vehicle waits on it.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -35,8 +36,9 @@ class Precedence {
     static constexpr double never = 1e15;
 
     Precedence() = default;
-    // `stays`: by target, how long an aircraft stays until it is gone. The agents must outlive this.
-    Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays);
+    // `stays`: by aircraft and target, how long it stays until that is gone; infinity if it may not breach it. The
+    // agents must outlive this.
+    Precedence(std::vector<const Agent*> aircraft, std::size_t targets, std::vector<std::vector<double>> stays);
     // The target is gone at that time, whoever flies.
     void open_by_itself(std::size_t target, double at) { unflown_[target] = at; }
 
@@ -44,6 +46,9 @@ class Precedence {
     // infinity.
     void add_vehicle(std::vector<Drive> drives, double weight = 1);
 
+    double stay(std::size_t aircraft, std::size_t target) const { return stays_[aircraft][target]; }
+    bool may_breach(std::size_t aircraft, std::size_t target) const { return std::isfinite(stay(aircraft, target)); }
+    std::size_t targets() const { return unflown_.size(); }
     // By target, when it is gone. `tours`: of each aircraft.
     std::vector<double> cleared(std::span<const Tour> tours) const { return flights(tours).cleared; }
     // When all finish at the earliest. Time O(stops + passages).
@@ -57,7 +62,7 @@ class Precedence {
     Flights flights(std::span<const Tour> tours) const;
 
     std::vector<const Agent*> aircraft_;
-    std::vector<double> stays_;
+    std::vector<std::vector<double>> stays_;
     std::vector<double> unflown_;  // by target: when it is gone without a stop
     struct Driver {
         std::vector<Drive> drives;

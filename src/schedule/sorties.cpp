@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "flight/exact.hpp"
+#include "schedule/landings.hpp"
+#include "schedule/tour_times.hpp"
 
 namespace waybreaker {
 namespace {
@@ -47,8 +49,37 @@ bool is_better(const Rank& a, const Rank& b) {
     return !less(b.first, a.first) && less(a.second, b.second);
 }
 
-Rank SortieSearch::rank_of(const Sorties& sorties) const {
+Rank SortieSearch::rank_as_given(const Sorties& sorties) const {
     return rank(objective_, precedence_.finish(sorties));
+}
+
+Rank SortieSearch::rank_of(const Sorties& sorties) const {
+    return recharge_ ? rank_as_given(with_landings(sorties)) : rank_as_given(sorties);
+}
+
+Sorties SortieSearch::with_landings(Sorties sorties) const {
+    if (!recharge_) return sorties;
+    std::vector<std::vector<Tour>> tours(sorties.size());
+    for (std::size_t a = 0; a < sorties.size(); ++a) {
+        if (!aircraft_[a]->recharge || std::ranges::any_of(sorties[a], &Stop::lands)) continue;
+        tours[a] = waybreaker::with_landings(*aircraft_[a], sorties[a],
+                                             [&](std::size_t target) { return precedence_.stay(a, target); });
+        if (!tours[a].empty()) sorties[a] = tours[a].front();
+    }
+    for (std::size_t a = 0; a < sorties.size(); ++a) {
+        if (tours[a].size() < 2) continue;
+        Rank least = rank_as_given(sorties);
+        for (Tour& tour : tours[a]) {
+            std::swap(sorties[a], tour);
+            const Rank reached = rank_as_given(sorties);
+            if (is_better(reached, least)) {
+                least = reached;
+            } else {
+                std::swap(sorties[a], tour);
+            }
+        }
+    }
+    return sorties;
 }
 
 std::optional<Sorties> SortieSearch::find(std::vector<std::size_t> order) const {
@@ -92,7 +123,8 @@ std::optional<Sorties> SortieSearch::shared_out(const std::vector<std::size_t>& 
             for (std::size_t i = 0; i < order.size(); ++i) {
                 if (owner[i] == a) share.push_back(order[i]);
             }
-            if (share.size() > std::size_t(aircraft_[a]->breaches)) break;
+            const auto may = [&](std::size_t target) { return precedence_.may_breach(a, target); };
+            if (share.size() > std::size_t(aircraft_[a]->breaches) || !std::ranges::all_of(share, may)) break;
             const auto [tour, is_new] = known.try_emplace({a, share});
             if (is_new) tour->second = shortest(a, share);
             sorties.push_back(tour->second);
@@ -109,6 +141,7 @@ std::optional<Sorties> SortieSearch::shared_out(const std::vector<std::size_t>& 
 
 Tour SortieSearch::shortest(std::size_t aircraft, const std::vector<std::size_t>& share) const {
     const Agent& agent = *aircraft_[aircraft];
+    if (agent.recharge) return shortest_with_landings(aircraft, share);
     std::vector<Target> targets;
     Tour known;
     for (const std::size_t target : share) {
@@ -120,13 +153,35 @@ Tour SortieSearch::shortest(std::size_t aircraft, const std::vector<std::size_t>
     return tour;
 }
 
+// Without the landings, with which it is home first: in any order of few targets. Perhaps only some cells are possible.
+Tour SortieSearch::shortest_with_landings(std::size_t aircraft, std::vector<std::size_t> share) const {
+    const Agent& agent = *aircraft_[aircraft];
+    const auto stay = [&](std::size_t target) { return precedence_.stay(aircraft, target); };
+    Tour best;
+    for (const std::size_t target : share) best.push_back({target, targets_[target].cells.front()});
+    double least = infinity;
+    std::ranges::sort(share);
+    do {
+        std::vector<Visit> visits;
+        for (const std::size_t target : share) visits.push_back({target, targets_[target].cells});
+        std::vector<Tour> tours = waybreaker::with_landings(agent, visits, stay);
+        if (tours.empty()) continue;
+        const double home = fly(agent, tours.front(), stay, [](const Stop&, double, double) {});
+        if (home >= least) continue;
+        least = home;
+        best = std::move(tours.front());
+    } while (share.size() <= few_targets && !due_() && std::ranges::next_permutation(share).found);
+    std::erase_if(best, [](const Stop& stop) { return stop.lands(); });
+    return best;
+}
+
 // Gives a target to the aircraft, and puts it in the place, where it costs least. False if no aircraft may breach more.
 bool SortieSearch::insert(Sorties& sorties, std::size_t target) const {
     Rank least;
     Sorties best;
     for (std::size_t a = 0; a < sorties.size(); ++a) {
         const Agent& aircraft = *aircraft_[a];
-        if (sorties[a].size() >= std::size_t(aircraft.breaches)) continue;
+        if (sorties[a].size() >= std::size_t(aircraft.breaches) || !precedence_.may_breach(a, target)) continue;
         for (std::size_t at = 0; at <= sorties[a].size(); ++at) {
             for (const Cell cell : likely_cells(targets_[target], aircraft, sorties[a], at)) {
                 Sorties changed = sorties;

@@ -43,7 +43,8 @@ std::vector<Waypoint> drive_through(const Map& map, const ScheduleTask& task) {
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven,
                        ObstacleId obstacle) {
     Breaching breaching{first_touch(map, obstacle, driven, task.driver.body.reach()),
-                        std::numeric_limits<double>::infinity(), task.rules.breach_time.of(map.obstacle(obstacle))};
+                        std::numeric_limits<double>::infinity(),
+                        time_to_breach(task.flyer, map.obstacle(obstacle), task.rules)};
     if (task.rules.timing == Timing::ignore) return breaching;
     const double radius = standing_radius(task.driver.body);
     const auto needed_by =

@@ -151,7 +151,7 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, at_once);
     std::vector<double> prices{0};  // by id, from 1
     for (const Obstacle& obstacle : task.map.obstacles()) {
-        const double breach = share * task.rules.breach_time.of(obstacle);
+        const double breach = share * task.least_time_to_breach(obstacle);
         prices.push_back((breach + task.rules.rubble) * task.driver.speed);
     }
     if (std::ranges::max(prices) == 0) return {};

@@ -26,7 +26,8 @@ JointSchedule scheduled(const Task& task, const Opening& opening) {
                           .rules = task.rules,
                           .removed = opening.removed,
                           .time_limit = task.deadline.left()};
-    const bool nearest = task.method.flight == FlightRule::nearest && task.aircraft.size() == 1;
+    const bool nearest =
+        task.method.flight == FlightRule::nearest && task.aircraft.size() == 1 && !task.aircraft.front()->recharge;
     return nearest ? nearest_schedule(task.map, asked) : best_joint_schedule(task.map, asked);
 }
 

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "crossing/access.hpp"
+#include "map/gap.hpp"
+#include "model/all_sets.hpp"
 #include "select/by_steps.hpp"
 #include "select/greedy.hpp"
 #include "select/hits.hpp"
@@ -92,6 +94,7 @@ void ExactSelection::select() {
     if (task_.spare_removals() > 0) {
         propose_sets();
         if (passes_more_than_square()) propose_simple_sets();
+        try_all();
     }
     if (best_ > bound() * (1 + tuning::worth_stepping) && !is_good_enough() && !bound_.by_steps) {
         try_steps(deadline_.left());
@@ -259,6 +262,37 @@ void ExactSelection::try_likely_of_fewer() {
         selection.propose_likely_sets();
         best_ = selection.best_;
         selected_.limited = selected_.limited || of_fewer.limited || deadline_.passed();
+    }
+}
+
+void ExactSelection::try_all() {
+    if (of_fewer_ || !is_above_bound(std::max(task_.limits.gap, tuning::enough_in_time))) return;
+    const auto may_gain = [&](const Obstacle& obstacle) {
+        const auto is_named = [&](const std::vector<ObstacleId>& ids) {
+            return std::ranges::find(ids, obstacle.id) != ids.end();
+        };
+        if (obstacle.gone() || !obstacle.destructible || is_named(task_.rules.protect) || is_named(task_.given))
+            return false;
+        const double near = task_.driver.body.reach() + 1;
+        const double ends = gap(obstacle.bounds, task_.driver.start) + gap(obstacle.bounds, task_.driver.goal);
+        return least_objective(task_, std::max(ends - 2 * near, 0.0), opening_times_) < task_.worth(best_);
+    };
+    std::vector<ObstacleId> obstacles;
+    for (const Obstacle& obstacle : task_.map.obstacles()) {
+        if (may_gain(obstacle)) obstacles.push_back(obstacle.id);
+    }
+    const auto allowed = [&](std::span<const ObstacleId> set) {
+        double weight = 0;
+        for (const ObstacleId id : set) weight += task_.map.obstacle(id).weight;
+        return weight <= task_.spare_budget() * (1 + rounding);
+    };
+    // With one removal more there may be too many, but none of the smaller ones is left out then.
+    std::vector<std::vector<ObstacleId>> sets;
+    for (int largest = task_.spare_removals(); largest > 0 && sets.empty(); --largest)
+        sets = all_sets(obstacles, largest, allowed, tuning::most_sets_evaluated);
+    for (const std::vector<ObstacleId>& set : sets) {
+        if (deadline_.passed()) return;
+        if (!set.empty()) add(set);
     }
 }
 

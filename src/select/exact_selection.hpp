@@ -60,6 +60,7 @@ class ExactSelection {
     bool try_others(const CrossingResult& first);  // all sets in order; whether they came to their end
     void try_fewer();                              // the same selection with fewer removals
     void try_likely_of_fewer();                    // openings late: fewer removals, whose openings come sooner
+    void try_all();                                // every set of so many that there are few
 
     // The best set of a few obstacles.
     void try_within(std::span<const ObstacleId> likely);

@@ -11,11 +11,11 @@ bool may_matter(const Task& task) {
     const auto keeps_up = [&](const Agent* agent) {
         return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
                agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals &&
-               agent->airspace.is_open() && std::isinf(agent->longest_flight());
+               agent->airspace.is_open() && std::isinf(agent->longest_flight()) && !agent->can_breach;
     };
     return std::ranges::none_of(task.aircraft, keeps_up) ||
            std::ranges::any_of(task.map.obstacles(),
-                               [&](const Obstacle& o) { return task.rules.breach_time.of(o) > 0; });
+                               [&](const Obstacle& o) { return task.least_time_to_breach(o) > 0; });
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ std::vector<ObstacleId> given_by(const Rules& rules) {
 std::vector<double> prices_of(const Map& map, const Agent& driver, const Rules& rules) {
     std::vector<double> prices{0};
     for (const Obstacle& obstacle : map.obstacles()) {
-        const double breach = driver.own_breaches > 0 ? rules.breach_time.of(obstacle) : 0;
-        prices.push_back((breach + rules.rubble) * driver.speed);
+        const double breach = driver.own_breaches > 0 ? time_to_breach(driver, obstacle, rules) : 0;
+        // What it may not breach is protected, whatever its price.
+        prices.push_back(((std::isfinite(breach) ? breach : 0) + rules.rubble) * driver.speed);
     }
     return prices;
 }
@@ -44,7 +45,7 @@ Returns least_return(const Task& task, std::span<const ObstacleId> removed) {
     const auto solved = std::span(breached).first(std::min(breached.size(), exact_flight_limit));
     double time =
         flyer.ready_at + fly_optimal(task.map, flyer.begin(), flyer.goal, solved, flyer.airspace).length / flyer.speed;
-    for (const ObstacleId id : breached) time += task.rules.breach_time.of(task.map.obstacle(id));
+    for (const ObstacleId id : breached) time += time_to_breach(flyer, task.map.obstacle(id), task.rules);
     return {time, time};
 }
 
@@ -77,6 +78,13 @@ Task Task::within(double share_of_time) const {
 
 double Task::objective(double ground_time, const Returns& home) const {
     return rank(rules.objective, finish_of(ground_time, home)).first;
+}
+
+double Task::least_time_to_breach(const Obstacle& obstacle) const {
+    double least = infinity;
+    for (const Agent* agent : aircraft) least = std::min(least, time_to_breach(*agent, obstacle, rules));
+    if (opens_own_way()) least = time_to_breach(driver, obstacle, rules);
+    return std::isfinite(least) ? least : 0;
 }
 
 std::int64_t Task::capacity() const {

@@ -48,6 +48,8 @@ struct Task {
     double arrival(double cells) const { return driver.ready_at + cells / driver.speed; }
     double cells_until(double time) const { return std::max(time - driver.ready_at, 0.0) * driver.speed; }
     bool opens_own_way() const { return driver.own_breaches > 0; }
+    // No breach of it takes less; 0 where nobody may.
+    double least_time_to_breach(const Obstacle& obstacle) const;
     // How many obstacles the aircraft may breach together, or the driver.
     std::int64_t capacity() const;
     // How many obstacles may be removed beside those that must be.

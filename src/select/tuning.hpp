@@ -39,6 +39,8 @@ inline constexpr int most_sets = 256;
 inline constexpr int most_sets_of_many = 16;
 inline constexpr int most_sets_of_others = 8;
 inline constexpr int few_removals_to_enumerate = 3;
+// Of a plan above its bound all sets are evaluated, up to the largest size of which there are no more than that.
+inline constexpr std::size_t most_sets_evaluated = 64;
 // Up to so many removals the square's best set comes before the bound. With more, paths are nearly straight, and it is
 // the bound that makes the square's search short.
 inline constexpr int few_removals_of_square = 2;

@@ -13,13 +13,13 @@ inline void PrintTo(Rule rule, std::ostream* out) {
 
 namespace {
 
-using Broken = std::set<Rule>;
+using BrokenRules = std::set<Rule>;
 using Path = std::vector<Point>;
 
-const Broken none;
+const BrokenRules none;
 
 // Which rules it breaks to drive so, while the air agent stays where it is.
-Broken drive(const Map& map, const Path& path, const Body& body = {}) {
+BrokenRules drive(const Map& map, const Path& path, const Body& body = {}) {
     return broken_rules(map, hand_made(driven(path), driven({{0, 0}})), {}, body);
 }
 
@@ -33,11 +33,11 @@ TEST(Check, LetsADiscTouchButNotMeetCorners) {
     EXPECT_EQ(drive(map, {{0, 1}, {8, 1}}), none) << "along its side";
     EXPECT_EQ(drive(map, {{1, 0}, {1, 4}}), none);
     // kin.
-    EXPECT_EQ(drive(map, {{0, 3}, {8, 2}}), Broken{Rule::collision});
-    EXPECT_EQ(drive(map, {{1, 1}, {3, 3}}), Broken{Rule::collision});
+    EXPECT_EQ(drive(map, {{0, 3}, {8, 2}}), BrokenRules{Rule::collision});
+    EXPECT_EQ(drive(map, {{1, 1}, {3, 3}}), BrokenRules{Rule::collision});
     EXPECT_EQ(drive(map, {{0, 3}, {1, 3}, {3, 3}, {3, 2}}), none);
-    EXPECT_EQ(drive(map, {{3, 1}, {2, 1}, {2, 2}}), Broken{Rule::collision}) << "into it";
-    EXPECT_EQ(drive(map, {{2, 2}}), Broken{Rule::collision}) << "to stand in it";
+    EXPECT_EQ(drive(map, {{3, 1}, {2, 1}, {2, 2}}), BrokenRules{Rule::collision}) << "into it";
+    EXPECT_EQ(drive(map, {{2, 2}}), BrokenRules{Rule::collision}) << "to stand in it";
 }
 
 // The line from (0, 0) to (8, 6) passes the corners of cells at multiples of a tenth; a corner at exactly 0.5 is
@@ -51,10 +51,10 @@ TEST(Check, TellsTouchingFromMeetingExactly) {
     const Path line{{0, 0}, {8, 6}};
     // Distance of corner (x, y) to the line: |3 x - 4 y| / 5.
     EXPECT_EQ(drive(with_blocked({2, 0}), line), none) << "corner (1.5, 0.5) at 2.5 / 5";
-    EXPECT_EQ(drive(with_blocked({2, 0}), line, {.radius = 0.501}), Broken{Rule::collision});
+    EXPECT_EQ(drive(with_blocked({2, 0}), line, {.radius = 0.501}), BrokenRules{Rule::collision});
     EXPECT_EQ(drive(with_blocked({6, 3}), line), none) << "corner (5.5, 3.5) at 2.5 / 5";
-    EXPECT_EQ(drive(with_blocked({5, 3}), line), Broken{Rule::collision}) << "corner (4.5, 3.5) at 0.5 / 5";
-    EXPECT_EQ(drive(with_blocked({4, 4}), line), Broken{Rule::collision}) << "corner (4.5, 3.5) at 0.5 / 5";
+    EXPECT_EQ(drive(with_blocked({5, 3}), line), BrokenRules{Rule::collision}) << "corner (4.5, 3.5) at 0.5 / 5";
+    EXPECT_EQ(drive(with_blocked({4, 4}), line), BrokenRules{Rule::collision}) << "corner (4.5, 3.5) at 0.5 / 5";
     EXPECT_EQ(drive(with_blocked({6, 2}), line), none);
 }
 
@@ -69,21 +69,22 @@ TEST(Check, KnowsTheCornerRules) {
         ...)");
     const Path past_one{{0, 1}, {1, 2}};
     const Path past_two{{0, 0}, {1, 1}};
-    EXPECT_EQ(drive(one, past_one), Broken{Rule::collision});
+    EXPECT_EQ(drive(one, past_one), BrokenRules{Rule::collision});
     EXPECT_EQ(drive(one, past_one, {.corners = Corners::cut}), none);
     EXPECT_EQ(drive(one, past_one, {.corners = Corners::squeeze}), none);
-    EXPECT_EQ(drive(two, past_two), Broken{Rule::collision});
-    EXPECT_EQ(drive(two, past_two, {.corners = Corners::cut}), Broken{Rule::collision});
+    EXPECT_EQ(drive(two, past_two), BrokenRules{Rule::collision});
+    EXPECT_EQ(drive(two, past_two, {.corners = Corners::cut}), BrokenRules{Rule::collision});
     EXPECT_EQ(drive(two, past_two, {.corners = Corners::squeeze}), none);
-    EXPECT_EQ(drive(two, {{1, 1}, {0, 0}}, {.corners = Corners::cut}), Broken{Rule::collision}) << "and back";
-    EXPECT_EQ(drive(two, {{0, 0}, {1, 0}}, {.corners = Corners::squeeze}), Broken{Rule::collision}) << "into a wall";
+    EXPECT_EQ(drive(two, {{1, 1}, {0, 0}}, {.corners = Corners::cut}), BrokenRules{Rule::collision}) << "and back";
+    EXPECT_EQ(drive(two, {{0, 0}, {1, 0}}, {.corners = Corners::squeeze}), BrokenRules{Rule::collision})
+        << "into a wall";
 }
 
 TEST(Check, KeepsWideAgentsOnTheMap) {
     const Map map(Grid(9, 5));
     EXPECT_EQ(drive(map, {{2, 2}, {6, 2}}, {.radius = 2.5}), none);
-    EXPECT_EQ(drive(map, {{2, 2}, {6, 2}}, {.radius = 2.501}), Broken{Rule::collision});
-    EXPECT_EQ(drive(map, {{2, 2}, {7, 2}}, {.radius = 2}), Broken{Rule::collision});
+    EXPECT_EQ(drive(map, {{2, 2}, {6, 2}}, {.radius = 2.501}), BrokenRules{Rule::collision});
+    EXPECT_EQ(drive(map, {{2, 2}, {7, 2}}, {.radius = 2}), BrokenRules{Rule::collision});
 }
 
 TEST(Check, LetsPointsTouchAndSlipButNotPassWalls) {
@@ -96,18 +97,19 @@ TEST(Check, LetsPointsTouchAndSlipButNotPassWalls) {
     EXPECT_EQ(drive(map, {{4, 2}, {4.5, 1.5}, {7.5, 1.5}, {8, 1}}, point_body), none) << "along a wall";
     EXPECT_EQ(drive(map, {{8, 3}, {7.5, 1.5}, {7.5, -0.5}, {8, 0}}, point_body), none)
         << "along it up to the map's edge";
-    EXPECT_EQ(drive(map, {{6, 2}, {6.5, 1.5}, {6.5, -0.5}, {8, 0}}, point_body), Broken{Rule::collision})
+    EXPECT_EQ(drive(map, {{6, 2}, {6.5, 1.5}, {6.5, -0.5}, {8, 0}}, point_body), BrokenRules{Rule::collision})
         << "between two obstacles, then along the map's edge beside one";
-    EXPECT_EQ(drive(map, {{4, 0}, {4.5, -0.5}, {7.5, -0.5}, {8, 0}}, point_body), Broken{Rule::collision})
+    EXPECT_EQ(drive(map, {{4, 0}, {4.5, -0.5}, {7.5, -0.5}, {8, 0}}, point_body), BrokenRules{Rule::collision})
         << "along the map's edge beside walls";
     EXPECT_EQ(drive(map, {{6, 2}, {5.5, 1.5}, {5.5, 0.5}}, point_body).count(Rule::collision), 1U)
         << "within an obstacle";
     EXPECT_EQ(drive(map, {{1, 2}, {2, 3}}, point_body), none) << "between diagonal neighbours";
-    EXPECT_EQ(drive(map, {{2, 3}, {2.5, 2.5}, {2.5, 1.5}, {3, 1}}, point_body), Broken{Rule::collision})
+    EXPECT_EQ(drive(map, {{2, 3}, {2.5, 2.5}, {2.5, 1.5}, {3, 1}}, point_body), BrokenRules{Rule::collision})
         << "between c and d";
-    EXPECT_EQ(drive(map, {{2, 3}, {2.5, 2}}, point_body), (Broken{Rule::goal, Rule::vertex})) << "half way up a side";
+    EXPECT_EQ(drive(map, {{2, 3}, {2.5, 2}}, point_body), (BrokenRules{Rule::goal, Rule::vertex}))
+        << "half way up a side";
     EXPECT_EQ(drive(map, {{0, 0}, {-0.5, -0.5}, {-0.5, 4.5}, {0, 4}}, point_body), none);
-    EXPECT_EQ(drive(map, {{0, 0}, {-1.5, 1.5}, {0, 4}}, point_body), Broken{Rule::vertex}) << "off the map";
+    EXPECT_EQ(drive(map, {{0, 0}, {-1.5, 1.5}, {0, 4}}, point_body), BrokenRules{Rule::vertex}) << "off the map";
 }
 
 TEST(Check, KeepsPointsFromPassingWallsAtAnyEdgeOfTheMap) {
@@ -115,7 +117,7 @@ TEST(Check, KeepsPointsFromPassingWallsAtAnyEdgeOfTheMap) {
         .a.
         b.c
         .d.)");
-    const Broken collision{Rule::collision};
+    const BrokenRules collision{Rule::collision};
     EXPECT_EQ(drive(map, {{0, 0}, {-0.5, 0.5}, {-0.5, 1.5}, {0, 2}}, point_body), collision);
     EXPECT_EQ(drive(map, {{2, 2}, {2.5, 1.5}, {2.5, 0.5}, {2, 0}}, point_body), collision);
     EXPECT_EQ(drive(map, {{0, 0}, {0.5, -0.5}, {1.5, -0.5}, {2, 0}}, point_body), collision);
@@ -144,8 +146,8 @@ TEST(Check, GrantsNoMoreToWhoWaitsLonger) {
 
 TEST(Check, BendsAtCellCentresOfTheMap) {
     const Map map(Grid(9, 5));
-    EXPECT_EQ(drive(map, {{1, 1}, {2.5, 1.5}, {4, 1}}), Broken{Rule::vertex});
-    EXPECT_EQ(drive(map, {{1, 1}, {9, 1}, {4, 1}}), Broken{Rule::vertex});
+    EXPECT_EQ(drive(map, {{1, 1}, {2.5, 1.5}, {4, 1}}), BrokenRules{Rule::vertex});
+    EXPECT_EQ(drive(map, {{1, 1}, {9, 1}, {4, 1}}), BrokenRules{Rule::vertex});
     EXPECT_EQ(drive(map, {{1, 1}, {1e300, -1e300}, {4, 1}}).count(Rule::vertex), 1U);
 }
 
@@ -161,9 +163,9 @@ class TwoWalls : public testing::Test {
     const std::vector<Waypoint> ground = driven({{0, 1}, {10, 1}});
     const std::vector<Waypoint> air = driven({{0, 0}, {10, 0}});
     const Plan good = hand_made(ground, air, {a, b});
-    const Broken collision{Rule::collision};
+    const BrokenRules collision{Rule::collision};
 
-    Broken broken(const Plan& plan, const Rules& rules = {}) const { return broken_rules(map, plan, rules); }
+    BrokenRules broken(const Plan& plan, const Rules& rules = {}) const { return broken_rules(map, plan, rules); }
 };
 
 // The disc's front is half a cell ahead, and the wall's side half a cell nearer.
@@ -172,7 +174,7 @@ TEST_F(TwoWalls, MustBeGoneWhenTheGroundAgentComes) {
     plan.breaches[0].entered_at = plan.breaches[1].entered_at = 2;
     plan.breaches[1].entered_at = 6;
     EXPECT_EQ(broken(plan), none) << "each in the moment it goes";
-    EXPECT_EQ(broken(good), Broken{Rule::entered});
+    EXPECT_EQ(broken(good), BrokenRules{Rule::entered});
 
     plan.agents[1] = agent(AgentKind::air, driven({{0, 0}, {10, 0}}, 0.5), 0.5);
     plan.breaches[0].cleared_at = 4;
@@ -201,12 +203,12 @@ TEST_F(TwoWalls, AreSaidToBeEnteredWhenTheyAre) {
     Plan plan = good;
     plan.breaches[0].entered_at = 2;
     plan.breaches[1].entered_at = std::nullopt;
-    EXPECT_EQ(broken(plan), Broken{Rule::entered}) << "not never";
+    EXPECT_EQ(broken(plan), BrokenRules{Rule::entered}) << "not never";
     plan = hand_made(driven({{0, 1}, {1, 1}}), air, {a, b});
     plan.breaches[0].entered_at = plan.breaches[1].entered_at = std::nullopt;
     EXPECT_EQ(broken(plan), none);
     plan.breaches[1].entered_at = 7;
-    EXPECT_EQ(broken(plan), Broken{Rule::entered}) << "but never";
+    EXPECT_EQ(broken(plan), BrokenRules{Rule::entered}) << "but never";
 }
 
 TEST_F(TwoWalls, TakeTimeToBreach) {
@@ -216,12 +218,13 @@ TEST_F(TwoWalls, TakeTimeToBreach) {
     plan.breaches[0].cleared_at = plan.breaches[0].entered_at.emplace(4.5);
     plan.breaches[1].cleared_at = plan.breaches[1].entered_at.emplace(11);
     EXPECT_EQ(broken(plan, rules), none);
-    EXPECT_EQ(broken(plan, {.breach_time = {.per_obstacle = 2.6}}), Broken{Rule::breach}) << "does not stay so long";
+    EXPECT_EQ(broken(plan, {.breach_time = {.per_obstacle = 2.6}}), BrokenRules{Rule::breach})
+        << "does not stay so long";
 
     Plan restless = plan;
     restless.agents[1].path.insert(restless.agents[1].path.begin() + 2, {{2, 1, 3}, {2, 0, 4}});
     set_figures(restless);
-    EXPECT_EQ(broken(restless, rules), Broken{Rule::breach}) << "goes for a walk";
+    EXPECT_EQ(broken(restless, rules), BrokenRules{Rule::breach}) << "goes for a walk";
 
     // Both from one place between them, one after the other.
     const Map near = map_from_ascii("..a.b..");
@@ -231,7 +234,7 @@ TEST_F(TwoWalls, TakeTimeToBreach) {
                            {.obstacle = {2}, .cells = 1, .at = {3, 0}, .cleared_at = 7, .entered_at = {}}});
     EXPECT_EQ(broken_rules(near, both, slow), none);
     both.breaches[1].cleared_at = 6;
-    EXPECT_EQ(broken_rules(near, both, slow), Broken{Rule::order}) << "at the same time";
+    EXPECT_EQ(broken_rules(near, both, slow), BrokenRules{Rule::order}) << "at the same time";
 }
 
 TEST_F(TwoWalls, MayNotAllBeRemoved) {
@@ -239,14 +242,15 @@ TEST_F(TwoWalls, MayNotAllBeRemoved) {
     plan.breaches[0].entered_at = 2;
     plan.breaches[1].entered_at = 6;
     EXPECT_EQ(broken(plan, {.removals = 2}), none);
-    EXPECT_EQ(broken(plan, {.removals = 1}), Broken{Rule::removals});
-    EXPECT_EQ(broken(plan, {.protect = {ObstacleId{2}}}), Broken{Rule::obstacle});
+    EXPECT_EQ(broken(plan, {.removals = 1}), BrokenRules{Rule::removals});
+    EXPECT_EQ(broken(plan, {.protect = {ObstacleId{2}}}), BrokenRules{Rule::obstacle});
     EXPECT_EQ(broken(plan, {.budget = 2}), none);
     const Map heavy = map.with_weights(std::vector<double>{0, 1.5, 0.7});
-    EXPECT_EQ(broken_rules(heavy, plan, {.budget = 2}), Broken{Rule::budget});
+    EXPECT_EQ(broken_rules(heavy, plan, {.budget = 2}), BrokenRules{Rule::budget});
     const std::vector<ObstacleAttributes> attributes{{}, {}, {.destructible = false, .source_id = 9}};
     const Map solid = Map::from_labels(11, 3, {map.labels().begin(), map.labels().end()}, attributes);
-    EXPECT_EQ(broken_rules(solid, plan, {}), (Broken{Rule::obstacle, Rule::cells})) << "nor are they what they were";
+    EXPECT_EQ(broken_rules(solid, plan, {}), (BrokenRules{Rule::obstacle, Rule::cells}))
+        << "nor are they what they were";
 }
 
 // A point on the line between two cells is inside neither.
@@ -262,12 +266,12 @@ TEST(Check, LetsPointsPassBetweenCellsThatAreGone) {
         hand_made(ground, driven({{0, 0}}), {{.obstacle = {1}, .cells = 4, .at = {0, 0}, .entered_at = enters}});
     EXPECT_EQ(broken_rules(map, plan, {}, point_body), none);
     plan.breaches[0].entered_at = std::nullopt;
-    EXPECT_EQ(broken_rules(map, plan, {}, point_body), Broken{Rule::entered});
+    EXPECT_EQ(broken_rules(map, plan, {}, point_body), BrokenRules{Rule::entered});
     plan.breaches.clear();
-    EXPECT_EQ(broken_rules(map, plan, {}, point_body), Broken{Rule::collision});
+    EXPECT_EQ(broken_rules(map, plan, {}, point_body), BrokenRules{Rule::collision});
     plan = hand_made(ground, {{0, 0, 0}, {0, 0, 1}},
                      {{.obstacle = {1}, .cells = 4, .at = {0, 0}, .cleared_at = 1, .entered_at = enters}});
-    EXPECT_EQ(broken_rules(map, plan, {}, point_body), Broken{Rule::collision}) << "too early";
+    EXPECT_EQ(broken_rules(map, plan, {}, point_body), BrokenRules{Rule::collision}) << "too early";
 }
 
 TEST(Check, LetsPointsPassBetweenTwoObstaclesIfOneIsGone) {
@@ -281,7 +285,7 @@ TEST(Check, LetsPointsPassBetweenTwoObstaclesIfOneIsGone) {
     const Breach b{.obstacle = {2}, .cells = 1, .at = {4, 0}, .entered_at = enters};
     EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}}), {a}), {}, point_body), none);
     EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{4, 0}}), {b}), {}, point_body), none);
-    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}, point_body), Broken{Rule::collision});
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}, point_body), BrokenRules{Rule::collision});
 }
 
 TEST(Check, KnowsWhatBelongsToAPlanThatThereIsNot) {
@@ -292,13 +296,13 @@ TEST(Check, KnowsWhatBelongsToAPlanThatThereIsNot) {
     plan.breaches = {{.obstacle = {1}, .cells = 1, .at = {1, 0}, .cleared_at = 1, .entered_at = {}}};
     EXPECT_EQ(broken_rules(map, plan, {}), none) << "a removal that was no help";
     plan.status = PlanStatus::solved;
-    EXPECT_EQ(broken_rules(map, plan, {}), Broken{Rule::status});
+    EXPECT_EQ(broken_rules(map, plan, {}), BrokenRules{Rule::status});
     plan.status = PlanStatus::no_plan;
     plan.after.makespan = 4;
-    EXPECT_EQ(broken_rules(map, plan, {}), Broken{Rule::status});
+    EXPECT_EQ(broken_rules(map, plan, {}), BrokenRules{Rule::status});
     plan.after.makespan = std::nullopt;
     plan.before.ground().length = plan.before.makespan = plan.before.flowtime = 4;
-    EXPECT_EQ(broken_rules(map, plan, {}), Broken{Rule::status}) << "to remove nothing is a plan";
+    EXPECT_EQ(broken_rules(map, plan, {}), BrokenRules{Rule::status}) << "to remove nothing is a plan";
 }
 
 TEST(Check, RefusesRulesThatMakeNoSense) {

@@ -86,6 +86,8 @@ class EveryPlan {
         return best_;
     }
 
+    static constexpr int most_landings = 3;  // of each aircraft
+
   private:
     std::vector<TimedOpening>::const_iterator opens(ObstacleId id) const {
         return std::ranges::find(mission_.rules.opened, id, &TimedOpening::obstacle);
@@ -120,6 +122,8 @@ class EveryPlan {
             places_.push_back(agent->from.value_or(Point(agent->start)));
         }
         used_.assign(aircraft_.size(), 0);
+        landed_.assign(aircraft_.size(), 0);
+        off_ = times_;
         share_out(openings, 0);
     }
 
@@ -129,22 +133,55 @@ class EveryPlan {
         for (std::size_t a = first; a < aircraft_.size(); ++a) {
             if (used_[a] == aircraft_[a]->breaches) continue;
             for (std::size_t j = 0; j < set_.size(); ++j) {
-                if (openings[j] != never) continue;
+                const double stay = lasting(*aircraft_[a], map_.obstacle(set_[j]));
+                if (openings[j] != never || stay == never) continue;
                 for (const Cell c : map_.boundary(set_[j])) {
                     const double time = times_[a];
                     const Point place = places_[a];
-                    times_[a] += distance(place, c) / aircraft_[a]->speed +
-                                 mission_.rules.breach_time.of(map_.obstacle(set_[j]));
+                    times_[a] += distance(place, c) / aircraft_[a]->speed + stay;
                     places_[a] = c;
                     ++used_[a];
                     std::vector<double> more = openings;
                     more[j] = times_[a];
-                    share_out(more, a);
+                    if (!is_too_long(*aircraft_[a], times_[a] - off_[a])) share_out(more, a);
                     --used_[a];
                     times_[a] = time;
                     places_[a] = place;
                 }
             }
+            land(openings, a);
+        }
+    }
+
+    // How long it breaches that, or never.
+    double lasting(const Agent& agent, const Obstacle& obstacle) const {
+        const BreachTime& by_rules = mission_.rules.breach_time;
+        const double of_cells = agent.breach_time_per_cell.value_or(by_rules.per_cell) * obstacle.cells;
+        const double lasts = obstacle.breach_time + agent.breach_time.value_or(by_rules.per_obstacle) + of_cells;
+        if (!agent.can_breach) return lasts;
+        const auto& [most_cells, only] = *agent.can_breach;
+        const bool may = obstacle.cells <= most_cells && (!only || std::ranges::count(*only, obstacle.id) > 0);
+        return may ? lasts : never;
+    }
+
+    // At any base, a few times.
+    void land(const std::vector<double>& openings, std::size_t a) {
+        const Agent& aircraft = *aircraft_[a];
+        if (!aircraft.recharge || landed_[a] == most_landings) return;
+        const double time = times_[a];
+        const double off = off_[a];
+        const Point place = places_[a];
+        for (const Cell base : aircraft.bases) {
+            const double lands = time + distance(place, base) / aircraft.speed;
+            if (lands == off || is_too_long(aircraft, lands - off)) continue;
+            ++landed_[a];
+            times_[a] = off_[a] = lands + *aircraft.recharge;
+            places_[a] = base;
+            share_out(openings, a);
+            --landed_[a];
+            times_[a] = time;
+            off_[a] = off;
+            places_[a] = place;
         }
     }
 
@@ -159,7 +196,7 @@ class EveryPlan {
         double last = 0;
         for (std::size_t a = 0; a < aircraft_.size(); ++a) {
             const double home = times_[a] + distance(places_[a], aircraft_[a]->goal) / aircraft_[a]->speed;
-            if (is_too_long(*aircraft_[a], home - aircraft_[a]->ready_at)) return;
+            if (is_too_long(*aircraft_[a], home - off_[a])) return;
             sum += aircraft_[a]->weight * home;
             last = std::max(last, home);
         }
@@ -184,6 +221,8 @@ class EveryPlan {
     std::vector<double> times_;  // by aircraft
     std::vector<Point> places_;
     std::vector<int> used_;
+    std::vector<double> off_;  // when it took off last
+    std::vector<int> landed_;
     double best_ = never;
 };
 

@@ -34,6 +34,17 @@ void set_out(Agent& agent) {
     if (*rc::gen::arbitrary<bool>()) agent.approach = {{0.1, 0, 0.5}, {start.x, start.y, agent.ready_at}};
 }
 
+// Maybe it is not able to breach everything, and needs its own time.
+void limit(Agent& agent) {
+    agent.breach_time = *rc::gen::element(std::optional<double>(), std::optional(2.5));
+    agent.breach_time_per_cell = *rc::gen::element(std::optional<double>(), std::optional(0.0), std::optional(0.1));
+    if (agent.kind == AgentKind::ground) agent.reach = *rc::gen::element(1.0, 0.0, 3.5);
+    if (*rc::gen::arbitrary<bool>()) return;
+    agent.can_breach.emplace();
+    if (*rc::gen::arbitrary<bool>()) agent.can_breach->most_cells = std::uint32_t(*number(1, 99));
+    if (*rc::gen::arbitrary<bool>()) agent.can_breach->only = any_ids();
+}
+
 MissionDocument any_document() {
     MissionDocument document;
     for (int i = *number(1, 3); i > 0; --i) {
@@ -52,6 +63,12 @@ MissionDocument any_document() {
         if (kind == AgentKind::ground)
             document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
         set_out(document.mission.agents.back());
+        limit(document.mission.agents.back());
+        document.mission.agents.back().recharge = *rc::gen::element(std::optional<double>(), std::optional(30.0));
+        if (*rc::gen::arbitrary<bool>()) document.mission.agents.back().bases = {{3, 4}, {-1, 0}};
+        const std::optional<CanBreach>& can = document.mission.agents.back().can_breach;
+        if (can && can->only && *rc::gen::arbitrary<bool>())
+            document.can_breach_tags[document.mission.agents.size() - 1] = {{"building", {"shed", "gar*"}}};
     }
     document.mission.rules = {
         .removals = *number(0, 9),
@@ -100,8 +117,16 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
         RC_ASSERT(a.id == b.id && a.kind == b.kind && a.start == b.start && a.goal == b.goal);
         RC_ASSERT(a.speed == b.speed && a.body == b.body && a.breaches == b.breaches);
         RC_ASSERT(a.range == b.range && a.endurance == b.endurance && a.reserve == b.reserve && a.flown == b.flown);
+        RC_ASSERT(a.recharge == b.recharge && a.bases == b.bases && a.reach == b.reach);
+        RC_ASSERT(a.breach_time == b.breach_time && a.breach_time_per_cell == b.breach_time_per_cell);
+        RC_ASSERT(a.can_breach.has_value() == b.can_breach.has_value());
+        if (a.can_breach) RC_ASSERT(a.can_breach->most_cells == b.can_breach->most_cells);
+        if (a.can_breach) RC_ASSERT(a.can_breach->only == b.can_breach->only);
         RC_ASSERT(a.ready_at == b.ready_at && a.from == b.from && a.approach == b.approach);
     }
+    RC_ASSERT(read.can_breach_tags.size() == written.can_breach_tags.size());
+    for (const auto& [agent, tags] : written.can_breach_tags)
+        RC_ASSERT(read.can_breach_tags.at(agent).front().text() == tags.front().text());
     const Rules& rules = read.mission.rules;
     RC_ASSERT(rules.removals == written.mission.rules.removals);
     RC_ASSERT(rules.budget == written.mission.rules.budget);
@@ -171,6 +196,11 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal(agent(R"("speed": 0)")), "m.json:1:119: agents[0].speed is not between 1e-06 and 1e+06");
     EXPECT_EQ(refusal(agent(R"("ready_at": 1e10)")), "m.json:1:122: agents[0].ready_at is not between 0 and 1e+09");
     EXPECT_EQ(refusal(agent(R"("approach": [[1, 2]])")), "m.json:1:123: agents[0].approach[0] is not [x, y, t]");
+    EXPECT_EQ(refusal(agent(R"("reach": -1)")), "m.json:1:119: agents[0].reach is not between 0 and 100");
+    EXPECT_EQ(refusal(agent(R"("can_breach": {"most_cells": 0})")),
+              "m.json:1:139: agents[0].can_breach.most_cells is not between 1 and 4294967295");
+    EXPECT_EQ(refusal(agent(R"("can_breach": {"only": ["=b"]})")).substr(0, 60),
+              "m.json:1:134: agents[0].can_breach.only[0] is no tag: '=b' i");
     EXPECT_EQ(refusal(with(R"("agents": [{"id": "a", "kind": "ground", "start": [1.5, 2], "goal": [3, 4]}])")),
               "m.json:1:87: agents[0].start[0] is not a whole number");
     const auto says = [&](const std::string& members) {

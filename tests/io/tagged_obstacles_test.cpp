@@ -22,11 +22,11 @@ MapFile town() {
 }
 
 std::vector<std::uint32_t> meant(const std::string& text) {
-    Rules rules{.protect = {{4}}};
-    protect_tagged(town(), site::parse_tag_filters(text), rules);
-    std::vector<std::uint32_t> ids;
-    for (const ObstacleId id : rules.protect) ids.push_back(id.value);
-    return ids;
+    std::vector<ObstacleId> ids{{4}};
+    add_tagged(town(), site::parse_tag_filters(text), "protect", ids);
+    std::vector<std::uint32_t> values;
+    for (const ObstacleId id : ids) values.push_back(id.value);
+    return values;
 }
 
 TEST(TaggedObstacles, AreThoseThatHaveTheTag) {
@@ -46,8 +46,8 @@ TEST(TaggedObstacles, AreCalledByWhatTheyArePartsOf) {
 
 TEST(TaggedObstacles, ThatAreNoneAreRefused) {
     const auto refusal = [](const std::string& text, const MapFile& map = town()) {
-        Rules rules;
-        return input_error([&] { protect_tagged(map, site::parse_tag_filters(text), rules); });
+        std::vector<ObstacleId> ids;
+        return input_error([&] { add_tagged(map, site::parse_tag_filters(text), "protect", ids); });
     };
     EXPECT_EQ(refusal("amenity=school,building=chapel"),
               "nothing to protect: no obstacle of town.tif has the tag 'building=chapel'; of building it has yes, "

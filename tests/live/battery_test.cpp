@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ RC_GTEST_PROP(ReviseWithBatteries, WithoutNewsIsNoWorse, ()) {
     const double reaction = *rc::gen::element(0.0, 0.0, 1.5);
     const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, reaction);
     RC_CLASSIFY(next.mission.limits_flights());
+    const auto recharges = [](const Itinerary& agent) { return !agent.recharges.empty(); };
+    RC_CLASSIFY(std::ranges::any_of(old.plan.agents, recharges));
     RC_ASSERT(next.plan.status == PlanStatus::solved);
     RC_ASSERT(revision_faults(old, next) == "");
     if (old.mission.rules.objective == Objective::flowtime) return;

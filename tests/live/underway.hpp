@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "abilities.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
 #include "vehicle.hpp"
@@ -47,6 +48,11 @@ inline void leave(Left left, Mission& mission) {
     if (left == Left::perhaps_rubble) mission.rules.rubble = *rc::gen::element(0.0, 0.0, 0.0, 1.5, 4.0);
 }
 
+// A few missions of agents that may not breach everything.
+inline void limit_some(const Map& map, Mission& mission) {
+    if (*number(0, 4) == 0) give_abilities(map, mission, [](int count) { return *number(0, count - 1); });
+}
+
 struct Underway {
     Map map;
     Mission mission;
@@ -75,16 +81,20 @@ inline std::vector<Zone> some_zones(int side) {
     return zones;
 }
 
-// Some that bring aircraft home and little farther, some that have no end.
-inline void give_batteries(Mission& mission) {
+// Some that bring aircraft home and little farther, some that have no end, some that are filled at bases.
+inline void give_batteries(const PlainMap& plain, Mission& mission) {
     for (Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground || *number(0, 3) == 0) continue;
         agent.reserve = *rc::gen::element(0.0, 0.0, 0.2, 0.5);
-        const double flight = distance(agent.begin(), Point(agent.goal)) + 0.5 + 0.5 * *number(0, 40);
+        const bool recharges = *number(0, 1) == 0;
+        const double flight = distance(agent.begin(), Point(agent.goal)) + 0.5 + 0.5 * *number(0, recharges ? 6 : 40);
         if (*number(0, 1) == 0)
             agent.range = flight / (1 - agent.reserve);
         else
             agent.endurance = flight / agent.speed / (1 - agent.reserve);
+        if (!recharges) continue;
+        agent.recharge = *rc::gen::element(0.1, 0.5, 3.0);
+        for (int i = *number(0, 8); i > 0; --i) agent.bases.push_back(any_cell(plain));
     }
 }
 
@@ -94,8 +104,9 @@ inline Underway any_planned(int side, int most_vehicles, int most_retries, bool 
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, most_vehicles, most_retries)};
     if (zoned) drawn.mission.rules.zones = some_zones(side);
-    if (batteries) give_batteries(drawn.mission);
+    if (batteries) give_batteries(plain, drawn.mission);
     leave(left, drawn.mission);
+    limit_some(drawn.map, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -116,6 +127,7 @@ inline Underway any_own_way(int side, int most_retries, Left left = Left::nothin
     dozer.body.radius = *rc::gen::element(0.0, 0.4, 0.5, 0.9);
     drawn.mission.rules.removals = *number(1, 4);
     leave(left, drawn.mission);
+    limit_some(drawn.map, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {
@@ -132,6 +144,7 @@ inline Underway any_clearing(int side, int most_retries, Left left = Left::nothi
     Underway drawn{Map(plain.grid()), any_mission(plain, 3, most_retries)};
     drawn.mission.agents.front().own_breaches = *number(1, 3);
     leave(left, drawn.mission);
+    limit_some(drawn.map, drawn.mission);
     try {
         validate(drawn.map, drawn.mission);
     } catch (const InputError&) {

@@ -1,4 +1,4 @@
-// Names and notes in pictures: inside, and apart from each other.
+// Names, notes and signs in pictures: inside, apart from each other, and explained.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,6 +79,19 @@ TEST(Picture, WhatWasToBeSmallComesFirstAndIsBold) {
     const std::string end = ", gap 50.0 %";
     const auto bounded = words(parsed(svg_of(world, {.objective = Objective::flowtime})));
     EXPECT_TRUE(std::ranges::any_of(bounded, [&](const std::string& text) { return text.ends_with(end); }));
+}
+
+TEST(Picture, ShowsBasesWhereAircraftRecharge) {
+    World world = wall();
+    Agent& air = world.mission.agents[1];
+    air.bases = {{5, 5}, {1, 6}, {5, 5}};
+    EXPECT_FALSE(says(parsed(svg_of(world)), "recharging base")) << "nobody recharges";
+    const auto rectangles = [](const pugi::xml_document& picture) { return picture.select_nodes("/svg/rect").size(); };
+    const std::size_t without = rectangles(parsed(svg_of(world)));
+    air.recharge = 2;
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "recharging base"));
+    EXPECT_EQ(rectangles(picture), without + 10) << "each base once: a plate, its edge and a battery of three";
 }
 
 }  // namespace

@@ -32,14 +32,15 @@ Cell any_cell() {
 // Aircraft that share the targets, and vehicles that pass some of them on several ways.
 struct Fleet {
     std::vector<Agent> aircraft;
-    std::vector<double> stays;
+    std::size_t targets = 0;
+    std::vector<std::vector<double>> stays;  // by aircraft and target
     std::vector<Tour> tours;
     std::vector<std::vector<Drive>> vehicles;
 
     Precedence precedence() const {
         std::vector<const Agent*> flyers;
         for (const Agent& agent : aircraft) flyers.push_back(&agent);
-        Precedence precedence(flyers, stays);
+        Precedence precedence(flyers, targets, stays);
         for (const std::vector<Drive>& drives : vehicles) precedence.add_vehicle(drives);
         return precedence;
     }
@@ -52,17 +53,19 @@ Fleet any_fleet() {
         world.aircraft.push_back(aircraft(any_cell(), any_cell(), *rc::gen::element(0.5, 1.0, 3.0)));
     }
     world.tours.resize(world.aircraft.size());
-    const int targets = *number(0, 5);
-    for (int target = 0; target < targets; ++target) {
-        world.stays.push_back(*rc::gen::element(0.0, 1.0, 7.3));
-        world.tours[std::size_t(*number(0, aircraft_count - 1))].push_back({std::size_t(target), any_cell()});
+    world.targets = std::size_t(*number(0, 5));
+    for (std::size_t a = 0; a < world.aircraft.size(); ++a) {
+        world.stays.push_back(*rc::gen::container<std::vector<double>>(world.targets, rc::gen::element(0.0, 1.0, 7.3)));
+    }
+    for (std::size_t target = 0; target < world.targets; ++target) {
+        world.tours[std::size_t(*number(0, aircraft_count - 1))].push_back({target, any_cell()});
     }
     world.vehicles.resize(std::size_t(*number(0, 3)));
     for (std::vector<Drive>& drives : world.vehicles) {
         drives.resize(std::size_t(*number(1, 3)));
         for (Drive& drive : drives) {
             drive.arrival = *number(0, 60);
-            for (std::size_t target = 0; target < world.stays.size(); ++target) {
+            for (std::size_t target = 0; target < world.targets; ++target) {
                 if (*number(0, 1) == 0) continue;
                 drive.passages.push_back({target, drive.arrival * *number(0, 10) / 10});
             }
@@ -92,7 +95,7 @@ RC_GTEST_PROP(Precedence, EverybodyFinishesWhenDrivenStepByStep, ()) {
         Cell at = agent.start;
         double time = 0;
         for (const Stop& stop : world.tours[a]) {
-            time += distance(at, stop.at) / agent.speed + world.stays[stop.target];
+            time += distance(at, stop.at) / agent.speed + world.stays[a][stop.target];
             cleared[stop.target] = time;
             at = stop.at;
         }
@@ -114,7 +117,7 @@ RC_GTEST_PROP(Precedence, EverybodyFinishesWhenDrivenStepByStep, ()) {
 
 TEST(Precedence, NobodyPassesWhatNobodyBreaches) {
     const Agent flyer = aircraft({0, 0}, {0, 0}, 1);
-    Precedence precedence({&flyer}, {0, 0});
+    Precedence precedence({&flyer}, 2, {{0, 0}});
     precedence.add_vehicle({{10, {{1, 4}}}, {12, {}}});
     const std::vector<Tour> tours{{{0, {3, 0}}}};
     EXPECT_EQ(precedence.cleared(tours), (std::vector<double>{3, Precedence::never}));
@@ -122,7 +125,7 @@ TEST(Precedence, NobodyPassesWhatNobodyBreaches) {
 }
 
 TEST(Precedence, VehicleWithoutAWayNeverArrives) {
-    Precedence precedence({}, {});
+    Precedence precedence({}, 0, {});
     precedence.add_vehicle({{5}});
     precedence.add_vehicle({});
     EXPECT_TRUE(std::isinf(precedence.finish({}).ground));

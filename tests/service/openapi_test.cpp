@@ -168,6 +168,13 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.agents[1].endurance = 60;
     document.mission.agents[1].reserve = 0.2;
     document.mission.agents[1].flown = 10;
+    document.mission.agents[1].recharge = 30;
+    document.mission.agents[1].bases = {{0, 2}};
+    document.mission.agents[1].breach_time = 2;
+    document.mission.agents[1].breach_time_per_cell = 0.5;
+    document.mission.agents[0].can_breach = CanBreach{.most_cells = 20, .only = std::vector<ObstacleId>{{2}}};
+    document.can_breach_tags[0] = {{"barrier"}};
+    document.mission.agents[0].reach = 2;
     document.mission.rules.opened = {{{3}, 4.5}};
     document.mission.rules.failed = {{4}};
     document.mission.rules.retries = 2;
