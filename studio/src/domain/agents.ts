@@ -1,10 +1,11 @@
 // Who a mission is about: any number of vehicles, and aircraft that open the way for them.
+import { type Abilities, hasOwnAbilities, usualAbilities } from "./abilities";
 import type { Cell } from "./geometry";
 
 export type End = "start" | "goal";
 
 // Speeds are metres a second, times seconds: cells and steps where the map has no scale.
-export interface Vehicle {
+export interface Vehicle extends Abilities {
   kind: "ground";
   id: string;
   start: Cell;
@@ -13,11 +14,12 @@ export interface Vehicle {
   radius: number; // cells
   readyAt: number; // it stands at its start until then
   breaches: number; // how many obstacles it may breach itself, for itself or for others
+  reach: number; // cells between it and what it breaches for others, at most
   weight: number; // what its arrival counts in the sum of arrivals
 }
 
 // A place that is null is that of the first vehicle.
-export interface Aircraft {
+export interface Aircraft extends Abilities {
   kind: "air";
   id: string;
   start: Cell | null;
@@ -27,15 +29,19 @@ export interface Aircraft {
   range: number | null; // metres or cells from take-off to landing; null: any
   endurance: number | null; // the same as a time
   reserve: number; // the share of both that is not planned with
+  recharge: number | null; // how long it stands at a base until its battery is full; null: it flies once
+  bases: readonly Cell[]; // none: its start and its goal
   weight: number;
 }
 
 export type MissionAgent = Vehicle | Aircraft;
 export type Agents = readonly MissionAgent[]; // at least one is a vehicle
 
-export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0, weight: 1 };
-const noBattery = { range: null, endurance: null, reserve: 0 };
-export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null, ...noBattery, weight: 1 };
+export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0, breaches: 0, reach: 1, ...usualAbilities, weight: 1 };
+const noBattery = { range: null, endurance: null, reserve: 0, recharge: null, bases: [] as readonly Cell[] };
+
+export const mostBases = 100; // of one aircraft
+export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null, ...noBattery, ...usualAbilities, weight: 1 };
 
 // One robot and one aircraft, which starts and ends with it.
 export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Agents {
@@ -51,6 +57,16 @@ type PairAgent = Pick<MissionAgent, "kind"> & { weight?: number; breaches?: numb
 export function isPair(agents: readonly PairAgent[]): boolean {
   const alike = agents.every(({ weight = 1 }) => weight === 1);
   return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind && alike && !agents.some(breachesFromTheGround);
+}
+
+// Whether it may open the way, for itself or for others.
+export function mayBreach(agent: MissionAgent): boolean {
+  return agent.breaches !== 0;
+}
+
+// Whether anything is said of what an agent opens and how.
+export function isSpecialist(agent: MissionAgent): boolean {
+  return hasOwnAbilities(agent) || (agent.kind === "ground" && agent.reach !== usualVehicle.reach);
 }
 
 function breachesFromTheGround({ kind, breaches }: PairAgent): boolean {
@@ -76,6 +92,17 @@ export function canOpen(agents: Agents): boolean {
 // Whether its battery ends.
 export function isLimited({ range, endurance }: Pick<Aircraft, "range" | "endurance">): boolean {
   return range !== null || endurance !== null;
+}
+
+// Whether it flies again with a full battery. One without an end needs no more.
+export function canRecharge({ recharge, ...battery }: Pick<Aircraft, "range" | "endurance" | "recharge">): boolean {
+  return recharge !== null && isLimited(battery);
+}
+
+// Where aircraft recharge beside their starts and goals, each place once.
+export function basesOf(agents: Agents): Cell[] {
+  const all = aircraftOf(agents).filter(canRecharge).flatMap(({ bases }) => bases);
+  return [...new Map(all.map((cell) => [cell.join(), cell])).values()];
 }
 
 export function limitsFlights(agents: Agents): boolean {
@@ -148,9 +175,10 @@ export function vehiclesFirst(agents: Agents): Agents {
 // With one agent more. Whoever is called by its kind gets a name that tells it from others, unless they are a pair again.
 // An aircraft that joins a robot which is alone takes its breaches over.
 export function joined(agents: Agents, one: MissionAgent): Agents {
+  const { breaches, reach } = usualVehicle;
   const isTakenOver = agents.length === 1 && one.kind === "air";
   const others = agents.map((agent) =>
-    agent.kind === "ground" && isTakenOver ? { ...agent, breaches: usualVehicle.breaches } : agent,
+    agent.kind === "ground" && isTakenOver ? { ...agent, breaches, reach, ...usualAbilities } : agent,
   );
   const named = others.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
   const all = vehiclesFirst([...named, { ...one, id: freshId(named, one.kind) }]);

@@ -104,9 +104,18 @@ export interface Agent {
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   surface?: Surface; // of a vehicle, where the map knows its ways
+  recharges?: Recharge[]; // of an aircraft that lands on its way, in order of time
   reached?: false; // of a vehicle that stays at its start, for it would not arrive in time
   lost?: boolean; // in a rehearsal: where its path ends
   path: TimedPoint[]; // two points in a row at the same place are a wait
+}
+
+// A stay at a base, from which an aircraft leaves with a full battery.
+export interface Recharge {
+  at: Cell;
+  from: number;
+  until: number;
+  flown: number; // units of time in the air since its battery was full
 }
 
 // What a path leads over, in cells; the first three add up to its length.

@@ -17,7 +17,13 @@ export interface Layer {
   plan: Plan;
 }
 
-export type Tool = "move" | "wall" | "erase" | "zone" | "rubble";
+// What follows the pointer while it is held down.
+export type Brush = "wall" | "erase" | "rubble";
+export type Tool = "move" | "zone" | "base" | Brush;
+
+export function isBrush(tool: Tool): tool is Brush {
+  return tool === "wall" || tool === "erase" || tool === "rubble";
+}
 
 export interface Scene {
   map: MapDescription;
@@ -60,6 +66,7 @@ export interface SceneEvents {
   passOver(cell: Cell | null): void; // where there are bands of time, once for each cell; null: off the map
   draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
   outline(corners: readonly Point[], done: boolean): void; // of a zone, with each corner; `done` when it is closed
+  base(at: Cell | null): void; // of an aircraft is set there; null: no more are
   // While rubble is held over the map, once for each cell it comes to; `done` when it is dropped. Null: it is not.
   drop(at: Cell | null, done: boolean): void;
   // What can be done with what is there is asked for; whether anything can.

@@ -33,6 +33,13 @@ export function filtersText(filters: readonly TagFilter[]): string {
   return [...alone, ...valued].map(filterText).join();
 }
 
+// Texts of files as a link has them; the first that is no tag as it is, to be complained of.
+export function inOne(texts: readonly string[]): string {
+  const filters = texts.map(parseTagFilters);
+  const wrong = filters.indexOf(null);
+  return wrong < 0 ? filtersText(filters.flatMap((some) => some ?? [])) : texts[wrong]!;
+}
+
 // What any of the filters means of that which can be removed, with the first that does.
 export function ruledObstacles(filters: readonly TagFilter[], { obstacles }: CellMap): Map<number, TagFilter> {
   const found = new Map<number, TagFilter>();

@@ -2,6 +2,17 @@
 // time. For a map without a cell size the page uses cells and steps.
 import type { MapDescription } from "./map";
 
+// What the units of a file are on the page.
+export interface Scale {
+  cell: number; // metres, or 1
+  seconds: number; // of a unit of time
+}
+
+// As it was said: dividing by a factor and multiplying again leaves something in the last digits.
+export function scaled(value: number, factor: number): number {
+  return Number((value * factor).toPrecision(15));
+}
+
 export type TimeUnit = "seconds" | "steps";
 
 export interface Units {

@@ -39,6 +39,7 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       choose: (agent) => latest.current.choose(agent),
       draw: (tool, runs) => latest.current.draw(tool, runs),
       outline: (corners, done) => latest.current.outline(corners, done),
+      base: (at) => latest.current.base(at),
       drop: (at, done) => latest.current.drop(at, done),
       ask: (what, at) => latest.current.ask(what, at),
     });
@@ -70,7 +71,7 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       <p id={help} class="map-help">
         Arrow keys move the map, plus and minus zoom, 0 shows all of it, Enter selects the obstacle in the middle, or
         says by when the ground there is reached, Escape selects none, and in a rehearsal the context menu says what can happen there. While a zone is drawn, Enter sets a
-        corner in the middle, Enter again at the same place closes the zone, Backspace takes the last corner back. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
+        corner in the middle, Enter again at the same place closes the zone, Backspace takes the last corner back. While bases are set, Enter sets one in the middle, Escape ends it. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
       </p>
       <MarkerButtons scene={scene} events={events} focus={(handle) => view.current?.focusMarker(handle)} />
       <div class="map-zoom" role="group" aria-label="Zoom">

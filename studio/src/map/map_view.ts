@@ -2,7 +2,7 @@
 import { cellOf, type Handle, handlesOf, isSameHandle } from "../domain/agents";
 import type { Box, Cell, Point, Size } from "../domain/geometry";
 import type { Obstacle } from "../domain/map";
-import type { Scene, SceneEvents } from "../domain/scene";
+import { isBrush, type Scene, type SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
 import { Sketch } from "./interaction/sketch";
@@ -17,6 +17,7 @@ import { widthOfName } from "./layers/team_markers";
 import { ObstacleLayer } from "./layers/obstacle_layer";
 import { faint, PathLayer } from "./layers/path_layer";
 import { agentsAt } from "./layers/playing_agents";
+import { drawBases } from "./layers/recharge_layer";
 import { drawRehearsalSigns, RehearsalLayer } from "./layers/rehearsal_layer";
 import { drawScaleBar } from "./layers/scale_bar";
 import { drawZones } from "./layers/zone_layer";
@@ -86,6 +87,7 @@ export class MapView implements GestureTarget {
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
     if (scene.tool !== "zone" && this.#outline.corners.length > 0) this.#setOutline(() => this.#outline.drop());
+    if (scene.tool === "base" && before?.tool !== "base") this.#surface.takeKeys(); // whoever asked for it is in a list
     if (scene.followed) this.#viewpoint.follow(scene.followed, before?.followed == null);
     this.#surface.ask();
   }
@@ -145,9 +147,8 @@ export class MapView implements GestureTarget {
   grab(at: Point): "pan" | "drag" | "draw" {
     const scene = this.#scene;
     if (!scene) return "pan";
-    if (scene.tool === "zone") return "pan";
-    if (scene.tool !== "move") return "draw";
-    const spot = scene.editable ? spotAt(this.#spots(), at) : null;
+    if (isBrush(scene.tool)) return "draw";
+    const spot = scene.editable && scene.tool === "move" ? spotAt(this.#spots(), at) : null;
     if (!spot) return "pan";
     const cell = cellOf(scene.agents, spot.handle);
     this.#dragged = { spot, cell, before: cell };
@@ -172,7 +173,7 @@ export class MapView implements GestureTarget {
     const obstacle = at && !spot ? this.#obstacleAt(at) : null;
     this.#surface.cursor = scene.tool !== "move" ? "crosshair" : spot ? "grab" : obstacle ? "pointer" : "";
     if (scene.tool === "zone") this.#outline.hover(at && this.#toMap(at));
-    else if (scene.tool !== "move") this.#sketch.hover(at);
+    else if (isBrush(scene.tool)) this.#sketch.hover(at);
     if (scene.tool !== "move") this.#surface.ask();
     if (scene.bands) this.#passOver(at && cellAt(this.#toMap(at)));
     if (obstacle === this.#hovered) return;
@@ -182,13 +183,14 @@ export class MapView implements GestureTarget {
 
   click(at: Point): void {
     if (this.#scene?.tool === "zone") return this.#setCorner(at);
+    if (this.#scene?.tool === "base") return this.events.base(onMap(this.#scene.cells, cellAt(this.#toMap(at))));
     if (this.#scene?.tool !== "move") return;
     this.events.select(this.#obstacleAt(at), cellAt(this.#toMap(at)));
   }
 
-  // The second click of two has closed an outline.
+  // The second click of two has closed an outline, or set a base.
   doubleClick(at: Point, outwards: boolean): void {
-    if (this.#scene?.tool !== "zone") this.zoomBy(outwards ? 0.5 : 2, at, true);
+    if (this.#scene?.tool !== "zone" && this.#scene?.tool !== "base") this.zoomBy(outwards ? 0.5 : 2, at, true);
   }
 
   dragTo(at: Point, done: boolean): void {
@@ -208,7 +210,7 @@ export class MapView implements GestureTarget {
 
   drawTo(at: Point, done: boolean): void {
     const scene = this.#scene;
-    if (!scene || scene.tool === "move" || scene.tool === "zone") return;
+    if (!scene || !isBrush(scene.tool)) return;
     if (scene.tool === "rubble") return this.#holdRubble(scene, at, done);
     this.#sketch.add(this.#toMap(at), this.#viewpoint.camera.scale);
     if (done) {
@@ -253,6 +255,7 @@ export class MapView implements GestureTarget {
 
   escape(): void {
     if (this.#outline.corners.length > 0) return this.#setOutline(() => this.#outline.drop());
+    if (this.#scene?.tool === "base") return this.events.base(null);
     this.events.select(null, null);
   }
 
@@ -338,6 +341,7 @@ export class MapView implements GestureTarget {
     if (scene.rehearsed) this.#rehearsal.draw(frame, scene, scene.rehearsed);
     else this.#paths.draw(frame, scene);
     const moreLabels = this.#labels.draw(frame, scene, roomBesideEvents(frame, scene, this.#spots()));
+    drawBases(frame, scene);
     frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;

@@ -1,9 +1,11 @@
 // The agents of a team as text for an address: x,y,x,y,speed,... each, with what is as usual left out at the end.
+import { mostReach } from "../domain/abilities";
 import {
   type Aircraft,
   type Agents,
   aircraftOf,
   type MissionAgent,
+  mostBases,
   usualAircraft,
   usualId,
   usualVehicle,
@@ -11,6 +13,7 @@ import {
   vehiclesOf,
 } from "../domain/agents";
 import type { Cell, Size } from "../domain/geometry";
+import { abilitiesIn, abilityTexts } from "./ability_code";
 
 export interface AgentCodes {
   vehicles: string;
@@ -18,21 +21,28 @@ export interface AgentCodes {
 }
 
 const between = "~"; // agents; commas stand between what is said of one
+const inBases = "."; // between columns and rows
 const mostAgents = 10_000;
 const mostReserve = 0.9999; // a share
 const mostWeight = 1e9;
 
+const usualTexts = abilityTexts(usualVehicle);
+
 export function encodeAgents(agents: Agents): AgentCodes {
-  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches, weight }, i) => {
+  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id, breaches, weight, reach, ...agent }, i) => {
     const { speed: usualSpeed, radius: usualRadius, readyAt: usualReady, breaches: usualBreaches } = usualVehicle;
-    const usual = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches, 1];
-    return fields([...start, ...goal, speed, radius, readyAt, id, breaches, weight], usual);
+    const first = ["", "", "", "", usualSpeed, usualRadius, usualReady, usualId("ground", i), usualBreaches, 1];
+    const usual = [...first, ...usualTexts, usualVehicle.reach];
+    return fields([...start, ...goal, speed, radius, readyAt, id, breaches, weight, ...abilityTexts(agent), reach], usual);
   });
   const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id, ...agent }, i) => {
-    const { range, endurance, reserve, weight } = agent;
-    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve, 1];
+    const { range, endurance, reserve, weight, recharge, bases } = agent;
+    const first = ["", "", "", "", usualAircraft.speed, "", usualId("air", i), "", "", usualAircraft.reserve, 1, "", ""];
+    const usual = [...first, ...usualTexts];
+    const places = [...(start ?? ["", ""]), ...(goal ?? ["", ""])];
     const battery = [range ?? "", endurance ?? "", reserve];
-    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id, ...battery, weight], usual);
+    const recharged = [recharge ?? "", bases.flat().join(inBases)];
+    return fields([...places, speed, breaches ?? "", id, ...battery, weight, ...recharged, ...abilityTexts(agent)], usual);
   });
   return { vehicles: vehicles.join(between), aircraft: aircraft.join(between) };
 }
@@ -69,9 +79,10 @@ function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
   const breaches = texts[8] ? wholeOf(texts[8]) : usualVehicle.breaches;
   const weight = numberOf(texts[9], 1, 0, mostWeight);
   if (!start || !goal || speed === null || radius === null || readyAt === null) return null;
-  if (breaches === undefined || weight === null) return null;
+  const [abilities, reach] = [abilitiesIn(texts.slice(10, 14)), numberOf(texts[14], usualVehicle.reach, 0, mostReach)];
+  if (breaches === undefined || weight === null || !abilities || reach === null) return null;
   const id = idOf(texts[7], usualId("ground", index));
-  return { kind: "ground", id, start, goal, speed, radius, readyAt, breaches, weight };
+  return { kind: "ground", id, start, goal, speed, radius, readyAt, breaches, reach, ...abilities, weight };
 }
 
 function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {
@@ -84,8 +95,11 @@ function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null 
   if (isWrong(start, 0) || isWrong(goal, 2) || speed === null || breaches === undefined) return null;
   const weight = numberOf(texts[10], 1, 0, mostWeight);
   if (range === undefined || endurance === undefined || reserve === null || weight === null) return null;
+  const [recharge, bases] = [limitOf(texts[11]), basesIn(texts[12], map)];
+  const abilities = abilitiesIn(texts.slice(13, 17));
+  if (recharge === undefined || bases === null || !abilities) return null;
   const id = idOf(texts[6], usualId("air", index));
-  return { kind: "air", id, start, goal, speed, breaches, range, endurance, reserve, weight };
+  return { kind: "air", id, start, goal, speed, breaches, range, endurance, reserve, recharge, bases, ...abilities, weight };
 }
 
 function cellOf(texts: string[], from: number, map: Size): Cell | null {
@@ -101,6 +115,13 @@ function numberOf(text: string | undefined, usual: number, least: number, most: 
   if (!text) return usual;
   const value = Number(text);
   return value >= least && value <= most ? value : null;
+}
+
+function basesIn(text: string | undefined, map: Size): Cell[] | null {
+  const texts = text ? text.split(inBases) : [];
+  const cells = Array.from({ length: Math.ceil(texts.length / 2) }, (_, i) => cellOf(texts, 2 * i, map));
+  const known = cells.filter((cell) => cell !== null);
+  return known.length === cells.length && cells.length <= mostBases ? known : null;
 }
 
 // Of a battery: null where there is none, undefined where the text is no limit.

@@ -1,9 +1,10 @@
 // The edits of a map that are sent to the service.
 import type { Edits } from "../api/client";
+import type { Agents } from "../domain/agents";
 import type { CellMap } from "../domain/cell_map";
 import type { Run } from "../domain/geometry";
 import { marked, type Mission } from "../domain/mission";
-import { matches, type TagFilter } from "../domain/tag_filter";
+import { matches, parseTagFilters, type TagFilter } from "../domain/tag_filter";
 import type { ShownMap } from "./maps";
 import { clipped, difference, union } from "./run_set";
 
@@ -46,8 +47,21 @@ export function drawnObstacles(mission: Mission, { map }: ShownMap): ReadonlySet
 // The rules to plan by. Where everything that a rule means was erased or excluded, there is nothing left to protect; what the
 // map never had is for the service to refuse.
 export function rulesLeft({ protectAll }: Mission, base: CellMap, map: CellMap): TagFilter[] {
-  const means = (rule: TagFilter, { obstacles }: CellMap) => obstacles.some((one) => matches(one, rule));
-  return protectAll.filter((rule) => base === map || means(rule, map) || !means(rule, base));
+  return protectAll.filter((rule) => isLeft(rule, base, map));
+}
+
+function isLeft(rule: TagFilter, base: CellMap, map: CellMap): boolean {
+  const means = ({ obstacles }: CellMap) => obstacles.some((one) => matches(one, rule));
+  return base === map || means(map) || !means(base);
+}
+
+// The agents to plan with: what each opens, by its ids on the map that is planned on. Of what was erased the same holds.
+export function agentsOn({ agents }: Mission, base: CellMap, map: CellMap, toShown: (id: number) => number): Agents {
+  const left = (one: number | string): (number | string)[] => {
+    if (typeof one === "string") return parseTagFilters(one)!.some((rule) => isLeft(rule, base, map)) ? [one] : [];
+    return one > base.obstacles.length ? [one] : [toShown(one)].filter((id) => id !== 0);
+  };
+  return agents.map((agent) => (agent.only === null ? agent : { ...agent, only: agent.only.flatMap(left) }));
 }
 
 function blockedOf(cells: CellMap, stroke: readonly Run[]): Run[] {

@@ -3,25 +3,29 @@ import type { AgentDocument } from "../domain/agent_document";
 import type { Agent, OutOfRange, Plan } from "../domain/plan";
 import { duration, length, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
-import { nameOf } from "../play/story";
+import { nameOf, rechargeWords } from "../play/story";
 
 // As the plan's mission says them.
 function batteryIn({ mission }: Plan, id: string): Partial<AgentDocument> {
   return ((mission?.agents ?? []) as AgentDocument[]).find((agent) => agent.id === id) ?? {};
 }
 
-// “lands with 225 m of 1000 m left; 20 % are to be in reserve”; null where the battery has no end.
-export function landing(plan: Plan, agent: Agent, units: Units): string | null {
-  const { range, endurance, reserve = 0, flown: before = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
-  const flown = before + arrival(agent) - readyAt;
-  const left = (all: number, gone: number, text: typeof length) =>
-    `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
-  const parts = [
-    ...(range === undefined ? [] : [left(range, flown * agent.speed, length)]),
-    ...(endurance === undefined ? [] : [left(endurance, flown, duration)]),
-  ];
-  if (agent.kind === "ground" || parts.length === 0) return null;
-  return `lands with ${parts.join(" and ")} left${reserve > 0 ? `; ${percent(reserve)} are to be in reserve` : ""}`;
+// “recharges at 120,45 for 5 min, with 300 m of 1000 m left” for each time that it does, and at last “lands with 225 m of
+// 1000 m left; 20 % are to be in reserve”; nothing where the battery has no end.
+export function landings(plan: Plan, agent: Agent, units: Units): string[] {
+  const { range, endurance, reserve = 0, flown = 0, ready_at: readyAt = 0 } = batteryIn(plan, agent.id);
+  if (agent.kind === "ground" || (range ?? endurance) === undefined) return [];
+  const of = (all: number, gone: number, text: typeof length) => `${text(Math.max(all - gone, 0), units)} of ${text(all, units)}`;
+  const left = (time: number) =>
+    [
+      ...(range === undefined ? [] : [of(range, time * agent.speed, length)]),
+      ...(endurance === undefined ? [] : [of(endurance, time, duration)]),
+    ].join(" and ");
+  const { recharges = [] } = agent;
+  const charged = recharges.map((one) => `${rechargeWords(one)} for ${duration(one.until - one.from, units, true)}, with ${left(one.flown)} left`);
+  const full = recharges.at(-1)?.until ?? readyAt - flown; // when its battery was last, or would have been
+  const kept = reserve > 0 ? `; ${percent(reserve)} are to be in reserve` : "";
+  return [...charged, `lands with ${left(arrival(agent) - full)} left${kept}`];
 }
 
 // What is out of range of one aircraft.
@@ -85,8 +89,13 @@ const refusal = new RegExp(
   "i",
 );
 
-// What the planner says of flights that are too long, in the page's units and words; other messages as they are.
+const unopened = /^obstacle (\d+) must be removed, but no agent can breach it\.?$/i;
+
+// What the planner says of flights that are too long and of what nobody opens, in the page's units and words; other messages as
+// they are.
 export function refusalWords(message: string, units: Units, obstacleName: (id: number) => string): string {
+  const kept = unopened.exec(message)?.[1];
+  if (kept !== undefined) return `${obstacleName(Number(kept))} must be removed, but nobody here opens it.`;
   const [, forced, id, still, byTime, longest, reserve, leg, flight, remedy = ""] = refusal.exec(message) ?? [];
   if (id === undefined) return message;
   const limit = { id, byRange: !byTime, longest: Number(longest), reserve: Number(reserve ?? 0) / 100, still: !!still };

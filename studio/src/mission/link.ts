@@ -1,5 +1,5 @@
 // A mission as the query of an address, and back. Defaults are left out.
-import { type Agents, changed, isLimited, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
+import { type Agents, changed, isLimited, isSpecialist, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
 import { alsoText, parseAlso } from "../domain/also";
 import type { Cell, Run } from "../domain/geometry";
 import {
@@ -89,7 +89,9 @@ export function agentsInQuery(agents: Agents, usualRadius: number | null = usual
 function isPlain({ ground, air }: NonNullable<ReturnType<typeof ofPair>>): boolean {
   const areUnnamed = ground.id === ground.kind && air.id === air.kind;
   const flies = air.breaches === usualAircraft.breaches && !isLimited(air) && air.reserve === usualAircraft.reserve;
-  return areUnnamed && ground.readyAt === usualVehicle.readyAt && flies;
+  const fliesOnce = air.recharge === usualAircraft.recharge && air.bases.length === 0;
+  if (isSpecialist(ground) || isSpecialist(air)) return false;
+  return areUnnamed && ground.readyAt === usualVehicle.readyAt && flies && fliesOnce;
 }
 
 export interface Decoded {

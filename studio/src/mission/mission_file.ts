@@ -1,11 +1,12 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
-import { type AgentDocument, agentDocuments, agentsOf, scaled } from "../domain/agent_document";
+import { isChoice } from "../domain/abilities";
+import { type AgentDocument, agentDocuments, agentsOf } from "../domain/agent_document";
 import { hasPaperMethod, usualVehicle } from "../domain/agents";
 import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/also";
 import { marked, meetingRules, type Method, type Mission, mostRemovals } from "../domain/mission";
-import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
-import { secondsPerUnit } from "../domain/units";
+import { filterText, inOne } from "../domain/tag_filter";
+import { scaled, secondsPerUnit } from "../domain/units";
 import { withTimes, zoneCollection, zonesOf, zonesText } from "../domain/zone";
 import { holdsMission } from "./address";
 import { agentsInQuery, encodeLink } from "./link";
@@ -144,13 +145,6 @@ function textsIn(obstacles: unknown): string[] {
   return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "string") : [];
 }
 
-// As a link has them; the first that is no tag as it is, to be complained of.
-function inOne(texts: readonly string[]): string {
-  const filters = texts.map(parseTagFilters);
-  const wrong = filters.indexOf(null);
-  return wrong < 0 ? filtersText(filters.flatMap((some) => some ?? [])) : texts[wrong]!;
-}
-
 const usualRemovals = 3; // of the command
 
 // What links and rules call alike.
@@ -168,7 +162,7 @@ const known = {
   method: ["bound", "explain", ...alsoNames.method],
 };
 
-const batteryNames = ["range", "endurance", "reserve"] as const;
+const batteryNames = ["range", "endurance", "reserve", "recharge", "bases"] as const;
 
 // What the page has no words for, or the command refuses.
 export function leftOut(
@@ -177,6 +171,10 @@ export function leftOut(
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
   const says = (name: keyof AgentDocument, kind: AgentDocument["kind"]) =>
     agents.some((agent) => agent[name] !== undefined && agent.kind === kind);
+  const aircraft = agents.filter(({ kind }) => kind === "air");
+  const isVain = ({ range, endurance, recharge }: AgentDocument) => recharge !== undefined && (range ?? endurance) === undefined;
+  const hasNoUse = ({ recharge, bases }: AgentDocument) => bases !== undefined && recharge === undefined;
+  const isUnread = ({ can_breach: can }: AgentDocument) => can !== undefined && !isChoice(can);
   const removals = Number(rules.removals ?? usualRemovals);
   return [
     ...objectsIn(overlays).map(({ file, as }) => `the overlay ${file}: drop that file on the page, and lay it over the map as ${as}`),
@@ -188,6 +186,10 @@ export function leftOut(
     ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(says("flown", "air") ? ["flown"] : []),
     ...batteryNames.filter((name) => says(name, "ground")).map((name) => `${name} of vehicles`),
+    ...(aircraft.some(isVain) ? ["recharge of aircraft without range and endurance"] : []),
+    ...(aircraft.some(hasNoUse) ? ["bases of aircraft without recharge"] : []),
+    ...(says("reach", "air") ? ["reach of aircraft"] : []),
+    ...(agents.some(isUnread) ? ["can_breach that is more than most_cells and only"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

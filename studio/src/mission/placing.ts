@@ -1,4 +1,5 @@
 // Where one more agent starts and ends: near those that are there, with room for each.
+import { abilitiesOnly, usualAbilities } from "../domain/abilities";
 import {
   type Agents,
   type Aircraft,
@@ -21,14 +22,16 @@ export function oneVehicleMore(agents: Agents, cells: CellMap, separation: numbe
   const last = vehicles.at(-1)!;
   const place = (end: End) => freeNear(cells, last, last[end], vehicles.map((one) => discAt(one, end)), separation);
   const [start, goal] = [place("start"), place("goal")];
-  const { readyAt, breaches } = usualVehicle;
-  return start && goal && { ...last, id: freshId(agents, "ground"), readyAt, breaches, start, goal };
+  const { readyAt, breaches, reach } = usualVehicle;
+  return start && goal && { ...last, id: freshId(agents, "ground"), readyAt, breaches, reach, ...usualAbilities, start, goal };
 }
 
-// From and to where the first vehicle is, as fast as the last one, and with such a battery.
+// From and to where the first vehicle is, as fast as the last one, with such a battery and the same bases. It opens the same.
 export function oneAircraftMore(agents: Agents): Aircraft {
-  const { speed, range, endurance, reserve } = aircraftOf(agents).at(-1) ?? usualAircraft;
-  return { kind: "air", id: freshId(agents, "air"), ...usualAircraft, speed, range, endurance, reserve };
+  const last = aircraftOf(agents).at(-1) ?? usualAircraft;
+  const { speed, range, endurance, reserve, recharge, bases } = last;
+  const battery = { range, endurance, reserve, recharge, bases };
+  return { kind: "air", id: freshId(agents, "air"), ...usualAircraft, speed, ...battery, ...abilitiesOnly(last) };
 }
 
 interface Disc {

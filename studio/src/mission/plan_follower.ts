@@ -4,7 +4,7 @@ import type { MapDescription } from "../domain/map";
 import { hasEdits, type Mission } from "../domain/mission";
 import type { Planner } from "../planning/planner";
 import { questionOf } from "../planning/request";
-import { editsOf, rulesLeft } from "./edited";
+import { agentsOn, editsOf, rulesLeft } from "./edited";
 import { type HeldMap, isMissing, type LostMap, type Maps } from "./maps";
 import type { PageState } from "./page_state";
 import { Translation } from "./translate";
@@ -55,7 +55,8 @@ export class PlanFollower {
       const { ids } = page.shown.value!;
       const rules = rulesLeft(mission, base.cells, map.cells);
       const toShown = (key: number) => ids.toShown(key);
-      this.planner.ask(questionOf(mission, page.units.value, map.description.id, toShown, page.drawn.value, rules));
+      const agents = agentsOn(mission, base.cells, map.cells, toShown);
+      this.planner.ask(questionOf(mission, page.units.value, map.description.id, toShown, page.drawn.value, rules, agents));
     } catch (error) {
       if (isMissing(error)) this.#lose();
       else this.around.report(error, () => this.follow());

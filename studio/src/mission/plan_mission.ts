@@ -1,10 +1,10 @@
 // The mission that a plan file answers, as far as the page can ask it.
-import { type AgentDocument, agentsOf, type Scale, scaled } from "../domain/agent_document";
+import { type AgentDocument, agentsOf } from "../domain/agent_document";
 import { type Agents, hasPaperMethod } from "../domain/agents";
 import { alsoOf } from "../domain/also";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
 import { isTeam, paceOf, type Plan } from "../domain/plan";
-import { secondsPerUnit } from "../domain/units";
+import { type Scale, scaled, secondsPerUnit } from "../domain/units";
 import { withTimes, zonesOf } from "../domain/zone";
 import { isObject, leftOut } from "./mission_file";
 

@@ -8,6 +8,7 @@ import { Planner } from "../planning/planner";
 import type { Judged } from "../planning/results";
 import { Rehearsal } from "../rehearse/rehearsal";
 import { BandFollower } from "./band_follower";
+import { BaseEditor } from "./base_editor";
 import { Editor } from "./editor";
 import { Importer } from "./importer";
 import { encodeLink } from "./link";
@@ -24,6 +25,7 @@ export class Studio {
   readonly page: PageState;
   readonly editor: Editor;
   readonly zones: ZoneEditor;
+  readonly bases: BaseEditor;
   readonly maps: MapDesk;
   readonly importer: Importer;
   readonly overlays: Overlays;
@@ -53,6 +55,7 @@ export class Studio {
       travel: (how) => this.maps.travel(how),
     });
     this.zones = new ZoneEditor(this.page, this.editor);
+    this.bases = new BaseEditor(this.page, this.editor);
     this.importer = new Importer(client, (map, file) => this.maps.openMade(map, file));
     this.overlays = new Overlays(client, (map, file) => this.maps.openOverlaid(map, file));
     this.rehearsal = new Rehearsal(client, {

@@ -5,6 +5,7 @@ import type { Studio } from "../mission/studio";
 import { Battery } from "./battery";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
+import { Openings } from "./openings";
 import { VehicleSize } from "./vehicle_size";
 
 interface Props {
@@ -37,6 +38,7 @@ export function AgentFields({ studio, agents, index }: Props) {
             index={index}
             label={agents.length === 1 ? "Opens in its way" : "Opens at most"}
           />
+          <Openings studio={studio} index={index} />
           <LeavesNotBefore studio={studio} agents={agents} index={index} />
           <VehicleSize
             label="Width"
@@ -48,6 +50,7 @@ export function AgentFields({ studio, agents, index }: Props) {
       ) : (
         <>
           <OpensAtMost studio={studio} agents={agents} index={index} />
+          <Openings studio={studio} index={index} />
           <Battery studio={studio} index={index} />
         </>
       )}

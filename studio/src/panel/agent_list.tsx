@@ -4,7 +4,7 @@ import type { Agents, MissionAgent } from "../domain/agents";
 import { shownPer } from "../domain/mission";
 import { objectiveOf, type Plan } from "../domain/plan";
 import { clockTime, type Units } from "../domain/units";
-import { landing } from "../mission/flight_words";
+import { landings } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import { worthSaying } from "../mission/place_words";
 import type { Studio } from "../mission/studio";
@@ -137,14 +137,17 @@ function AgentFigures({ plan, closed, id, units }: FiguresProps) {
   const at = arrival(agent);
   const time = (value: number) => <data value={value}>{clockTime(value, units)}</data>;
   if (agent.kind === "air") {
-    const lands = landing(plan, agent, units);
     const opens = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
     return (
       <>
         <td>{agent.lost ? "lost" : time(at)}</td>
         <td colSpan={2}>
           {opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}
-          {lands && <small class="agent-gain">{lands}</small>}
+          {landings(plan, agent, units).map((text, i) => (
+            <small key={i} class="agent-gain">
+              {text}
+            </small>
+          ))}
         </td>
       </>
     );

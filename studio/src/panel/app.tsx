@@ -122,6 +122,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       choose: (agent) => (page.chosenAgent.value = agent),
       draw: (tool, runs) => studio?.editor.draw(tool, runs),
       outline: (corners, done) => studio?.zones.outline(corners, done),
+      base: (at) => studio?.bases.set(at),
       drop: (at, done) => studio && dropRubble(studio, at, done),
       ask: (what, at) => {
         const isAny = studio !== null && mishapsAt(studio, what).length > 0;

@@ -8,6 +8,7 @@ const keys: [string, string][] = [
   ["Space", "play and pause"],
   ["M, W, E, Z", "move, draw wall, erase, zone"],
   ["Enter, Backspace", "on the map, while a zone is drawn: set a corner in the middle, or close; take the last one back"],
+  ["Enter, Esc", "on the map, while bases are set: set one in the middle; end it"],
   ["R", "in a rehearsal: drop rubble"],
   ["Arrow keys", "on the map: pan; on a marker: move it"],
   ["+ and −", "on the map: zoom"],

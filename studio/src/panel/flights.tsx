@@ -1,6 +1,7 @@
 // What aircraft whose battery ends land with, and which obstacles are too far for them.
 import { isTeam, type Plan } from "../domain/plan";
-import { landing, tooFar } from "../mission/flight_words";
+import type { Units } from "../domain/units";
+import { landings, tooFar } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import { Name } from "./name";
 import { nameOf } from "./obstacle_words";
@@ -8,23 +9,25 @@ import { nameOf } from "./obstacle_words";
 // The same as it is spoken.
 export function flightTexts(page: PageState, plan: Plan): string[] {
   const units = page.units.value;
-  const landed = isTeam(plan) ? [] : plan.agents.flatMap((agent) => landing(plan, agent, units) ?? []);
   const far = tooFar(plan, units).map(({ can, obstacles }) => {
     const each = obstacles.map(({ id, needs }) => `${nameOf(page.shown.value!, id).text}: ${needs}`);
     return `Out of range: ${can}. ${each.join("; ")}.`;
   });
-  return [...landed.map((text) => `The aircraft ${text}.`), ...far];
+  return [...flownIn(plan, units).map((text) => `The aircraft ${text}.`), ...far];
 }
 
 // Of a team the list of agents says who lands with what.
+function flownIn(plan: Plan, units: Units): string[] {
+  return isTeam(plan) ? [] : plan.agents.flatMap((agent) => landings(plan, agent, units));
+}
+
 export function Flights({ page, plan }: { page: PageState; plan: Plan }) {
   const units = page.units.value;
-  const landed = isTeam(plan) ? [] : plan.agents.flatMap((agent) => landing(plan, agent, units) ?? []);
   const far = tooFar(plan, units);
   return (
     <>
-      {landed.map((text) => (
-        <p key={text} class="arrivals">
+      {flownIn(plan, units).map((text, i) => (
+        <p key={i} class="arrivals">
           The aircraft {text}.
         </p>
       ))}

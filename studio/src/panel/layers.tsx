@@ -1,5 +1,6 @@
 // Which layers the map shows, a legend of their lines, and the result of each.
 import type { LayerName } from "../domain/mission";
+import { basesOf } from "../domain/agents";
 import { valueOf } from "../domain/plan";
 import { durations } from "../domain/units";
 import { zoneKinds, zoneWords } from "../domain/zone";
@@ -7,6 +8,7 @@ import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
 import { counted, noWay, tooEarly } from "../mission/words";
 import { BandList } from "./band_legend";
+import { BaseSample } from "./bases";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
 import { ZoneSample } from "./zones";
@@ -94,6 +96,12 @@ export function Layers({ page, studio }: { page: PageState; studio: Studio | nul
           </svg>
           removed
         </span>
+        {basesOf(mission.agents).length > 0 && (
+          <span>
+            <BaseSample />
+            base
+          </span>
+        )}
         {zoneKinds.filter((kind) => mission.zones.some((zone) => zone.kind === kind)).map((kind) => (
           <span key={kind}>
             <ZoneSample kind={kind} />

@@ -5,6 +5,7 @@ import { factsOf, kindWord, whyItStays } from "../domain/obstacle_words";
 import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { Marked } from "../map/map_view";
+import { whyNobodyOpens } from "../mission/ability_words";
 import { whyTooFar } from "../mission/flight_words";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
@@ -41,6 +42,8 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
   const units = page.units.value;
   const name = nameOf(shown, obstacle.id);
   const far = plan && whyTooFar(plan, obstacle.id, units);
+  const agents = page.mission.value?.agents ?? [];
+  const closed = obstacle.destructible && whyNobodyOpens(agents, { ...obstacle, id: shown.ids.toBase(obstacle.id) }, units);
   const removed = plan?.removed.find((one) => one.obstacle === obstacle.id);
   return (
     <aside ref={card} class="card" data-corner={corner} style={{ "--below": `${below}px` }} aria-label={`About ${name.text}`}>
@@ -64,6 +67,7 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
         </p>
       )}
       {far && <p>{far}</p>}
+      {closed && <p>{closed}</p>}
       {!obstacle.destructible && <p>{whyItStays(obstacle)}</p>}
       {obstacle.destructible && studio && (
         <>

@@ -7,6 +7,7 @@ import { LeavesNotBefore, OpensAtMost } from "./agent_fields";
 import { Battery } from "./battery";
 import { Segmented } from "./controls";
 import { NumberField } from "./number_field";
+import { Openings } from "./openings";
 import { ProtectAll } from "./protect_all";
 import { VehicleSize } from "./vehicle_size";
 
@@ -79,6 +80,7 @@ export function Settings({ studio }: { studio: Studio }) {
         )}
         {two && <LeavesNotBefore label="Robot leaves not before" {...fieldsOf(two.ground)} />}
         {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
+        {two && <Openings studio={studio} index={mission.agents.indexOf(two.air)} title="What the aircraft opens" />}
         {two && <Battery studio={studio} index={mission.agents.indexOf(two.air)} title="Aircraft’s battery" />}
         {(vehiclesOf(mission.agents).length > 1 || !mission.collisions) && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />

@@ -1,6 +1,7 @@
 // What the pointer does on the map.
 import type { Tool } from "../domain/scene";
 import type { Studio } from "../mission/studio";
+import { nameOf } from "../play/story";
 import { Segmented } from "./controls";
 import type { IconName } from "./icons";
 
@@ -11,6 +12,7 @@ interface ToolChoice {
 }
 
 const rubble: ToolChoice = { value: "rubble", label: "Rubble", icon: "rubble" };
+const base: ToolChoice = { value: "base", label: "Base", icon: "base" };
 const tools: ToolChoice[] = [
   { value: "move", label: "Move", icon: "move" },
   { value: "wall", label: "Draw wall", icon: "wall" },
@@ -19,16 +21,18 @@ const tools: ToolChoice[] = [
 ];
 
 export function Tools({ studio }: { studio: Studio }) {
+  const tool = studio.editor.tool.value;
   if (!studio.page.shown.value) return <div class="tools" />; // keeps their place
   return (
     <div class="tools">
       <Segmented
         legend="Tool"
-        choices={isPlayed(studio) ? [...tools, rubble] : tools}
-        value={studio.editor.tool.value}
-        onChange={(tool) => (studio.editor.tool.value = tool)}
+        choices={[...tools, ...(isPlayed(studio) ? [rubble] : []), ...(tool === "base" ? [base] : [])]}
+        value={tool}
+        onChange={(chosen) => (studio.editor.tool.value = chosen)}
       />
-      {studio.editor.tool.value === "zone" && <ZoneTool studio={studio} />}
+      {tool === "zone" && <ZoneTool studio={studio} />}
+      {tool === "base" && <BaseTool studio={studio} />}
     </div>
   );
 }
@@ -52,6 +56,16 @@ function ZoneTool({ studio }: { studio: Studio }) {
       <p role="status">
         {count === 0 ? "Click the corners of the zone." : `${count === 1 ? "1 corner" : `${count} corners`}: ${begun}.`}
       </p>
+    </div>
+  );
+}
+
+// Whose base is set next.
+function BaseTool({ studio }: { studio: Studio }) {
+  const aircraft = studio.bases.aircraft.value;
+  return (
+    <div class="zone-tool">
+      <p role="status">{aircraft ? `Click where ${nameOf(aircraft)} can recharge.` : "No aircraft recharges."}</p>
     </div>
   );
 }

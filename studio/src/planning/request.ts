@@ -1,7 +1,7 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
-import { canOpen, drivesAlone, hasPaperMethod, limitsFlights } from "../domain/agents";
+import { type Agents, canOpen, drivesAlone, hasPaperMethod, limitsFlights } from "../domain/agents";
 import { alsoNames } from "../domain/also";
 import { marked, meetingRules, type Method, type Mission, shownPer } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
@@ -21,7 +21,8 @@ export interface Question {
   withBefore: boolean; // whether the way without removals is on the map, and has to follow at once
 }
 
-// `drawn` are the obstacles that have to stay unless something is said about them, `rules` which others do.
+// `drawn` are the obstacles that have to stay unless something is said about them, `rules` which others do; `agents` are those of
+// the mission, in terms of the map that is planned on.
 export function questionOf(
   mission: Mission,
   units: Units,
@@ -29,6 +30,7 @@ export function questionOf(
   toShown: (key: number) => number,
   drawn: Iterable<number> = [],
   rules: readonly TagFilter[] = mission.protectAll,
+  agents: Agents = mission.agents,
 ): Question {
   const said = new Set([...mission.marks.keys()].map(toShown));
   const usual = { protect: [...drawn].filter((id) => !said.has(id)), force: [] };
@@ -47,7 +49,7 @@ export function questionOf(
   return {
     of: mission,
     map,
-    mission: documentOf(mission, units),
+    mission: documentOf({ ...mission, agents }, units),
     options,
     method: hasPaperMethod(mission) ? mission.method : "exact",
     removals: canOpen(mission.agents) || mission.removals !== "auto" ? mission.removals : 0,

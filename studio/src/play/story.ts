@@ -1,6 +1,6 @@
 // Waits in words, as the plan explains them: "waits for heli to open 2", "lets truck pass".
 import { plainName } from "../domain/plain_name";
-import type { Agent, ExplainedWait, Plan } from "../domain/plan";
+import type { Agent, ExplainedWait, Plan, Recharge } from "../domain/plan";
 import { zoneName } from "../domain/zone";
 import { breachOrder, positionAt } from "./motion";
 
@@ -43,12 +43,19 @@ export class Story {
   }
 
   // Where it hovers it opens what is cleared next.
-  #flownVerb({ id, path }: Agent, time: number): string {
+  #flownVerb({ id, path, recharges }: Agent, time: number): string {
+    const recharge = recharges?.find(({ from, until }) => from <= time && time < until);
+    if (recharge) return rechargeWords(recharge);
     const isIts = ({ by = id, at, cleared_at: cleared }: Plan["removed"][number]) =>
       by === id && cleared > time && path.some(([x, y, t]) => x === at[0] && y === at[1] && t <= time);
     const opened = breachOrder(this.plan).find(isIts);
     return opened ? `opens ${this.#numbers.get(opened.obstacle)}` : "waits";
   }
+}
+
+// "recharges at 120,45".
+export function rechargeWords({ at }: Recharge): string {
+  return `recharges at ${at.join()}`;
 }
 
 // An agent as a sentence names it: neither a number nor a kind alone is a name.

@@ -1,5 +1,5 @@
 // All of a mission that is rehearsed as one plan: what was done until now, and after that the revision.
-import type { Agent, ExplainedWait, Plan, Removed, TimedPoint } from "../domain/plan";
+import type { Agent, Plan, Recharge, Removed, TimedPoint } from "../domain/plan";
 import { positionAt } from "../play/motion";
 
 export interface Chapter {
@@ -19,7 +19,9 @@ export function storyOf({ before, driven, next, now, failed }: Chapter): Plan {
     const ahead = next?.agents.find(({ id }) => id === agent.id);
     const path = tidy([...past, ...(ahead?.path ?? [])]);
     const lost = agent.lost || (next !== null && !ahead);
-    return { ...agent, path, ...(lost && { lost }), waits: [...waitsUntil(agent.waits, now), ...(ahead?.waits ?? [])] };
+    const waits = [...partsUntil(agent.waits, now), ...(ahead?.waits ?? [])];
+    const recharges = goneOn(partsUntil(agent.recharges, now), ahead?.recharges ?? []);
+    return { ...agent, path, ...(lost && { lost }), waits, recharges };
   });
   return {
     ...before,
@@ -70,6 +72,13 @@ function tidy(path: readonly TimedPoint[]): TimedPoint[] {
   return result;
 }
 
-function waitsUntil(waits: readonly ExplainedWait[] = [], now: number): ExplainedWait[] {
-  return waits.filter(({ from }) => from < now).map((wait) => ({ ...wait, until: Math.min(wait.until, now) }));
+function partsUntil<Part extends { from: number; until: number }>(parts: readonly Part[] = [], now: number): Part[] {
+  return parts.filter(({ from }) => from < now).map((part) => ({ ...part, until: Math.min(part.until, now) }));
+}
+
+// Whoever stood at a base, and goes on to, has recharged once.
+function goneOn(past: readonly Recharge[], ahead: readonly Recharge[]): Recharge[] {
+  const [last, next] = [past.at(-1), ahead[0]];
+  if (!last || !next || next.from > last.until || next.at.join() !== last.at.join()) return [...past, ...ahead];
+  return [...past.slice(0, -1), { ...last, until: next.until }, ...ahead.slice(1)];
 }

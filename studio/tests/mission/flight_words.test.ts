@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
-import type { Plan } from "../../src/domain/plan";
+import type { Plan, Recharge } from "../../src/domain/plan";
 import type { Units } from "../../src/domain/units";
-import { landing, refusalWords, tooFar, whyTooFar } from "../../src/mission/flight_words";
+import { landings, refusalWords, tooFar, whyTooFar } from "../../src/mission/flight_words";
 import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 2, time: "seconds", seconds: 1 };
@@ -16,7 +16,7 @@ function flown(battery: object, far: Plan["out_of_range"] = []): Plan {
   return { ...plan, out_of_range: far };
 }
 
-const landed = (battery: object, units = city) => plain(landing(flown(battery), flown(battery).agents[1]!, units));
+const landed = (battery: object, units = city) => landings(flown(battery), flown(battery).agents[1]!, units).map(plain).join(". ");
 
 it("says what an aircraft lands with", () => {
   expect(landed({ range: 500 })).toBe("lands with 400 m of 1000 m left");
@@ -26,8 +26,25 @@ it("says what an aircraft lands with", () => {
   expect(landed({ range: 500, endurance: 160 })).toBe("lands with 400 m of 1000 m and 1 min of 2 min 40 s left");
   expect(landed({ endurance: 160, ready_at: 40 })).toBe("lands with 1 min 40 s of 2 min 40 s left");
   expect(landed({ range: 300 })).toBe("lands with 0 m of 600 m left");
-  expect(landed({})).toBeNull();
-  expect(landing(flown({ range: 500 }), flown({}).agents[0]!, city)).toBeNull();
+  expect(landed({})).toBe("");
+  expect(landings(flown({ range: 500 }), flown({}).agents[0]!, city)).toEqual([]);
+});
+
+it("says where an aircraft recharges, and counts since then", () => {
+  const told = (battery: object, ...recharges: Recharge[]) => {
+    const plan = flown(battery);
+    return landings(plan, { ...plan.agents[1]!, recharges }, city).map(plain);
+  };
+  const first: Recharge = { at: [4, 0], from: 20, until: 50, flown: 20 };
+  expect(told({ range: 500, endurance: 160, reserve: 0.2, ready_at: 10, flown: 10 }, first)).toEqual([
+    "recharges at 4,0 for 30 s, with 880 m of 1000 m and 2 min 20 s of 2 min 40 s left",
+    "lands with 700 m of 1000 m and 1 min 50 s of 2 min 40 s left; 20 % are to be in reserve",
+  ]);
+  expect(told({ endurance: 60 }, first, { at: [9, 0], from: 80, until: 90, flown: 30 })).toEqual([
+    "recharges at 4,0 for 30 s, with 40 s of 1 min left",
+    "recharges at 9,0 for 10 s, with 30 s of 1 min left",
+    "lands with 50 s of 1 min left",
+  ]);
 });
 
 it("says what is out of range", () => {
@@ -55,6 +72,7 @@ it("says why a mission is refused, in the page's units", () => {
   expect(said("Obstacle 520 must be removed, but the heli; 2 agent can fly 400 cells, with 20 % in reserve; obstacle 520 and back is 650.6.")).toBe(
     "Section 520 must be removed, but heli; 2 can fly 800 m with 20 % in reserve; there and back is 1301 m.",
   );
+  expect(said("Obstacle 520 must be removed, but no agent can breach it.")).toBe("Section 520 must be removed, but nobody here opens it.");
   expect(said("The air agent can fly for 300 units of time; from its start to its goal it takes 806.4.")).toBe(
     "The aircraft can fly for 5 min; from its start to its goal it takes 13 min 26 s.",
   );

@@ -1,6 +1,6 @@
 // What is dropped, opened or pasted. (File is no global of Node 18.)
 import { expect, it } from "vitest";
-import { changed } from "../../src/domain/agents";
+import { type Agents, changed } from "../../src/domain/agents";
 import type { Point } from "../../src/domain/geometry";
 import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
 import type { Plan } from "../../src/domain/plan";
@@ -314,6 +314,34 @@ it("a mission file keeps the batteries of aircraft, in metres and seconds on the
   expect((JSON.parse(missionFile({ ...found.mission, agents: kept }, tenWide, 3)) as typeof saved).agents[1]).not.toHaveProperty("reserve");
   const wrong = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents: [agents[0], { ...agents[1], range: -1 }] }))!;
   expect(wrong.complaints).toHaveLength(1);
+});
+
+it("a mission file keeps where aircraft recharge, and how long", () => {
+  const truck = { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1 };
+  const drone = { id: "drone", kind: "air", start: [1, 2], goal: [1, 2], speed: 1, endurance: 90 };
+  const fileOf = (...aircraft: object[]) => JSON.stringify({ format: "waybreaker-mission/1", agents: [truck, ...aircraft] });
+  const said = [{ ...drone, recharge: 300, bases: [[5, 6], [0, 9]] }, { ...drone, id: "heli", recharge: 30 }];
+  const found = missionIn(fileOf(...said))!;
+  expect([found.complaints, found.leftOut]).toEqual([[], []]);
+  expect(found.mission.agents.slice(1)).toMatchObject([
+    { endurance: 180, recharge: 600, bases: [[5, 6], [0, 9]] }, // cells of 2 m, at 1 m/s
+    { endurance: 180, recharge: 60, bases: [] },
+  ]);
+  const saved = (agents: Agents) => (JSON.parse(missionFile({ ...found.mission, agents }, tenWide, 3)) as { agents: object[] }).agents;
+  expect(saved(found.mission.agents)[1]).toMatchObject({ endurance: 180, recharge: 600, bases: [[5, 6], [0, 9]] });
+  expect(saved(found.mission.agents)[2]).not.toHaveProperty("bases");
+  for (const part of [{ recharge: null }, { endurance: null }]) {
+    const kept = saved(changed(found.mission.agents, 1, part))[1];
+    expect([kept, "recharge" in kept!, "bases" in kept!]).toEqual([kept, false, false]);
+  }
+
+  expect(missionIn(fileOf({ ...drone, bases: [[5, 6]] }))!.leftOut).toEqual(["bases of aircraft without recharge"]);
+  expect(missionIn(fileOf({ ...drone, endurance: undefined, recharge: 9 }))!.leftOut).toEqual(["recharge of aircraft without range and endurance"]);
+  expect(missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents: [{ ...truck, recharge: 9, bases: [[1, 1]] }] }))!.leftOut).toEqual(
+    ["recharge of vehicles", "bases of vehicles"],
+  );
+  const wrong = [{ recharge: 0 }, { recharge: 9, bases: [[500, 1]] }, { recharge: 9, bases: Array.from({ length: 101 }, () => [1, 1]) }];
+  for (const part of wrong) expect(missionIn(fileOf({ ...drone, ...part }))!.complaints).toHaveLength(1);
 });
 
 it("a mission file of many places keeps its rules and weights", () => {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { aircraftOf, changed } from "../../src/domain/agents";
 import type { Run } from "../../src/domain/geometry";
 import { freshMission, type Mark } from "../../src/domain/mission";
 import { decodeLink, encodeLink, mapOfLink } from "../../src/mission/link";
@@ -32,7 +33,25 @@ describe("link", () => {
     expect(encodeLink(marked, width)).toContain("&protect=4,17");
   });
 
+  it("says where an aircraft recharges, behind all that links said before", () => {
+    const once = "vehicles=1,2,3,4&aircraft=,,,,3,,heli,900,60,0.2,2";
+    const air = (query: string) => aircraftOf(decodeLink(query, "m", markers, width, height).mission.agents)[0];
+    expect(air(once)).toMatchObject({ id: "heli", reserve: 0.2, weight: 2, recharge: null, bases: [] });
+    expect(air(`${once},300`)).toMatchObject({ weight: 2, recharge: 300, bases: [] });
+    expect(air(`${once},300,10.20.500.399`)).toMatchObject({ recharge: 300, bases: [[10, 20], [500, 399]] });
+    const two = freshMission("m", markers);
+    const mission = { ...two, agents: changed(two.agents, 1, { endurance: 60, recharge: 300, bases: [[10, 20]] }) };
+    expect(encodeLink(mission, width)).toContain("&aircraft=,,,,,,air,,60,,,300,10.20&");
+    const off = { ...two, agents: changed(two.agents, 1, { recharge: 300 }) }; // while its battery has no end
+    expect(decodeLink(encodeLink(off, width), "m", markers, width, height).mission).toEqual(off);
+  });
+
   it.each([
+    ["vehicles=1,2,3,4&aircraft=,,,,,,,900,,,,0", "vehicles"],
+    ["vehicles=1,2,3,4&aircraft=,,,,,,,900,,,,60,10.20.30", "vehicles"],
+    ["vehicles=1,2,3,4&aircraft=,,,,,,,900,,,,60,10.a", "vehicles"],
+    ["vehicles=1,2,3,4&aircraft=,,,,,,,900,,,,60,501.1", "vehicles"],
+    [`vehicles=1,2,3,4&aircraft=,,,,,,,900,,,,60,${Array.from({ length: 101 }, () => "1.1").join(".")}`, "vehicles"],
     ["start=9999,1", "start"],
     ["start=-1,1", "start"],
     ["goal=a,b", "goal"],

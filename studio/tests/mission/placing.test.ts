@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { type Agents, joined, pair, vehiclesOf } from "../../src/domain/agents";
-import { oneVehicleMore } from "../../src/mission/placing";
+import { type Agents, changed, joined, pair, usualAircraft, vehiclesOf } from "../../src/domain/agents";
+import type { Cell } from "../../src/domain/geometry";
+import { oneAircraftMore, oneVehicleMore } from "../../src/mission/placing";
 import { mapOf } from "../domain/picture";
 
 const open = mapOf(...Array.from({ length: 40 }, () => ".".repeat(40)));
@@ -28,4 +29,11 @@ describe("one vehicle more", () => {
     const wide = pair([1, 1], [1, 1]).map((agent) => (agent.kind === "ground" ? { ...agent, radius: 1.5 } : agent));
     expect(oneVehicleMore(wide, mapOf("...", "...", "..."), 0)).toBeNull();
   });
+});
+
+it("one aircraft more has the battery of the last one, and its bases", () => {
+  const battery = { range: 900, endurance: 60, reserve: 0.2, recharge: 300, bases: [[4, 5]] satisfies Cell[] };
+  const agents = changed(pair([1, 1], [8, 8]), 1, { ...battery, breaches: 2, start: [3, 3] });
+  expect(oneAircraftMore(agents)).toMatchObject({ ...battery, breaches: null, start: null });
+  expect(oneAircraftMore([])).toMatchObject(usualAircraft);
 });

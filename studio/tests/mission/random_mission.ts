@@ -1,4 +1,5 @@
 // Missions with everything that one can say.
+import { type Abilities, usualAbilities } from "../../src/domain/abilities";
 import { changed, type Agents, hasPaperMethod, type MissionAgent, usualId } from "../../src/domain/agents";
 import type { Cell, Point, Run } from "../../src/domain/geometry";
 import { type LayerName, type Mark, type Mission, wallKey } from "../../src/domain/mission";
@@ -17,7 +18,17 @@ function randomRuns(random: Random): Run[] {
   return union(runs, []);
 }
 
-const noBattery = { range: null, endurance: null, reserve: 0 };
+const noBattery = { range: null, endurance: null, reserve: 0, recharge: null, bases: [] };
+
+function randomAbilities(random: Random): Abilities {
+  if (random.chance(0.6)) return usualAbilities;
+  return {
+    breachTime: random.oneOf([null, 0, 20.5]),
+    breachTimePerCell: random.oneOf([null, 0.0144]),
+    mostArea: random.oneOf([null, null, 14400]), // whole cells, of any size below
+    only: random.oneOf([null, null, [], [17, 4], [20, "barrier", "building=garage,a_b!,~%é& "], ["name=b=%c"]]),
+  };
+}
 
 function randomAgents(random: Random, cell: () => Cell): Agents {
   const isPair = random.chance(0.5);
@@ -32,8 +43,11 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     radius: random.oneOf([0.5, 0, 1.5]),
     readyAt: random.oneOf([0, 0, 12.5]),
     breaches: 0,
+    reach: random.oneOf([1, 1, 0, 2.5]),
+    ...randomAbilities(random),
     weight: random.oneOf([1, 1, 1, 180.5]),
   }));
+  const both = { range: 1e4, endurance: 90, reserve: 0.2, ...random.oneOf([{}, { recharge: 60.5 }, { recharge: 9, bases: [cell(), cell()] }]) };
   const aircraft = Array.from({ length: isPair ? 1 : random.below(3) }, (_, i): MissionAgent => ({
     kind: "air",
     id: idOf("air", i),
@@ -41,7 +55,8 @@ function randomAgents(random: Random, cell: () => Cell): Agents {
     goal: random.chance(0.5) ? cell() : null,
     speed: random.oneOf([1, 10, 1 / 3]),
     breaches: random.oneOf([null, 0, 3]),
-    ...random.oneOf([noBattery, noBattery, { ...noBattery, range: 900.5 }, { range: 1e4, endurance: 90, reserve: 0.2 }]),
+    ...random.oneOf([noBattery, noBattery, { ...noBattery, range: 900.5 }, { ...noBattery, ...both }]),
+    ...randomAbilities(random),
     weight: random.oneOf([1, 1, 1, 0]),
   }));
   const agents = [...vehicles, ...aircraft];

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import type { Cell } from "../../src/domain/geometry";
 import type { Agent, ExplainedWait, Plan } from "../../src/domain/plan";
 import { activityAt, lanes } from "../../src/play/activity";
 import { Story } from "../../src/play/story";
@@ -146,6 +147,24 @@ describe("a plan", () => {
     expect(told({ ...ground, path: [[4, -4, 2], [4, 5, 11]] })).toBeNull();
     const trucks = ["1", "2", "3", "4", "5"].map((id) => truck(id));
     expect(told(...trucks)).toBe("vehicle 1 waits; vehicle 2 waits; vehicle 3 waits; 2 more wait");
+  });
+
+  it("says where an aircraft recharges, while it does", () => {
+    const recharges = [{ at: [6, 2] as Cell, from: 4, until: 8, flown: 4 }];
+    const story = new Story({ ...plan, agents: [ground, { ...air, recharges }] });
+    expect([1, 5, 8].map((time) => activityAt(story, time).split(", ")[1])).toEqual(["B moves", "B recharges at 6,2", "B opens 2"]);
+    expect(story.at(5)).toBe("B recharges at 6,2");
+    expect(new Story({ ...plan, agents: [{ ...air, id: "air", recharges }] }).at(7.5)).toBe("the aircraft recharges at 6,2");
+  });
+
+  it("opens for as long as that takes itself, whatever the rules say", () => {
+    const own = { options: { breach_time: 1 }, mission: { agents: [{ id: "A" }, { id: "B", breach_time: 5 }] } };
+    const story = new Story({ ...plan, ...own });
+    expect([3.9, 4.5, 8.9, 9.1].map((time) => activityAt(story, time).split(", ")[1])).toEqual(["B moves", "B opens 2", "B opens 2", "B moves"]);
+    expect(lanes(story.plan)[1]!.spans).toContainEqual({ kind: "wait", from: 4, until: 9 });
+    const breaks: ExplainedWait = { at: [6, 0], from: 6, until: 9, reason: "opening", obstacle: 7, agent: "A" };
+    const alone = new Story({ ...plan, ...own, agents: [{ ...ground, waits: [breaks] }] });
+    expect([6.5, 8.9].map((time) => alone.at(time))).toEqual(["A opens 2", "A opens 2"]);
   });
 
   it("tells the reasons of one wait apart", () => {

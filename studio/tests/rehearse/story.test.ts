@@ -1,4 +1,6 @@
 import { describe, expect, it } from "vitest";
+import type { Cell } from "../../src/domain/geometry";
+import type { Plan, Recharge } from "../../src/domain/plan";
 import { activityAt } from "../../src/play/activity";
 import { Story } from "../../src/play/story";
 import { pathOf, retimed } from "../../src/rehearse/retimed";
@@ -34,6 +36,19 @@ describe("the story of a mission", () => {
     expect(story(12, next).removed.map(({ entered_at }) => entered_at)).toEqual([11]);
     const again = { ...next, removed: yard().removed };
     expect(story(12, again).removed).toHaveLength(1);
+  });
+
+  it("keeps where an aircraft has recharged, and has it go on where it does", () => {
+    const one = (at: Cell, from: number, until: number): Recharge => ({ at, from, until, flown: 5 });
+    const told = (before: Recharge[], after: Recharge[], now: number) => {
+      const landing = (recharges: Recharge[]): Plan => ({ ...yard(), agents: [{ ...yard().agents[2]!, recharges }] });
+      return storyOf({ before: landing(before), driven: none, next: landing(after), now, failed: null }).agents[0]!.recharges;
+    };
+    const [past, under, later] = [one([4, 4], 1, 3), one([6, 4], 5, 9), one([4, 4], 12, 14)];
+    expect(told([past, under, later], [], 8)).toEqual([past, { ...under, until: 8 }]);
+    expect(told([past, under], [{ ...one([6, 4], 8, 9), flown: 0 }, later], 8)).toEqual([past, under, later]);
+    expect(told([past], [later], 8)).toEqual([past, later]);
+    expect(told([later], [], 8)).toEqual([]);
   });
 
   it("has a late vehicle stand where it stood", () => {

@@ -2,7 +2,7 @@
 import type { CellMap } from "../../domain/cell_map";
 import type { Point, Run } from "../../domain/geometry";
 import { rubbleRadius } from "../../domain/rubble";
-import type { Scene } from "../../domain/scene";
+import { isBrush, type Scene } from "../../domain/scene";
 import { type Frame, inMapPoints } from "../viewport/frame";
 import { blocked, strokeRuns } from "./stroke";
 
@@ -46,7 +46,7 @@ export class Sketch {
   }
 
   draw(frame: Frame, scene: Scene): void {
-    if (scene.tool === "move" || scene.tool === "zone") return;
+    if (!isBrush(scene.tool)) return;
     if (scene.tool === "rubble") return this.#drawRubble(frame, scene);
     const { context, theme } = frame;
     const colour = scene.tool === "wall" ? theme.obstacles.fixed.edge : theme.removed;

@@ -56,6 +56,10 @@ export class Surface {
     return this.canvas.matches(":focus-visible");
   }
 
+  takeKeys(): void {
+    this.canvas.focus();
+  }
+
   set cursor(cursor: string) {
     this.canvas.style.cursor = cursor;
   }
