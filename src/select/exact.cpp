@@ -20,8 +20,9 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
             const Deadline soon = deadline.share(tuning::share_at_once);
             ExactSelection of_all_open(task, searchers_, start, at_once, soon, evaluation, selected);
             if (of_all_open.prove_at_once()) return;
-            // Which obstacles are worth their rubble, a search in time does not know.
-            if (task.rules.rubble > 0) of_all_open.select();
+            // Which obstacles are worth their rubble, a search in time does not know; and where only flights count, it
+            // need not look for waits.
+            if (task.rules.rubble > 0 || !opening_times.may_be_late()) of_all_open.select();
         }
         ExactSelection(task, searchers_, start, opening_times, deadline, evaluation, selected).run();
     };

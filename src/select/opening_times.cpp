@@ -6,26 +6,42 @@
 namespace waybreaker {
 namespace {
 
-bool may_matter(const Task& task) {
-    if (task.rules.timing == Timing::ignore || task.opens_own_way()) return false;
-    const auto keeps_up = [&](const Agent* agent) {
-        return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
-               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals &&
-               agent->airspace.is_open() && std::isinf(agent->longest_flight()) && !agent->can_breach;
-    };
-    return std::ranges::none_of(task.aircraft, keeps_up) ||
+// Whether an aircraft can breach all that is removed just ahead of the ground agent, wherever that drives.
+bool keeps_up(const Task& task, const Agent& agent) {
+    return agent.begin() == Point(task.driver.start) && agent.ready_at <= task.driver.ready_at &&
+           agent.speed >= task.driver.speed && agent.breaches >= task.rules.removals && agent.airspace.is_open() &&
+           std::isinf(agent.longest_flight()) && !agent.can_breach;
+}
+
+bool is_timed(const Task& task) {
+    return task.rules.timing == Timing::enforce && !task.opens_own_way();
+}
+
+bool may_open_late(const Task& task) {
+    if (!is_timed(task)) return false;
+    return std::ranges::none_of(task.aircraft, [&](const Agent* agent) { return keeps_up(task, *agent); }) ||
            std::ranges::any_of(task.map.obstacles(),
                                [&](const Obstacle& o) { return task.least_time_to_breach(o) > 0; });
+}
+
+// Whether flights past what is removed may end later than the drive, or be longer by more than a detour from it.
+bool may_fly_longer(const Task& task) {
+    if (!is_timed(task) || task.rules.objective == Objective::ground_makespan) return false;
+    return std::ranges::none_of(
+        task.aircraft, [&](const Agent* agent) { return keeps_up(task, *agent) && agent->goal == task.driver.goal; });
 }
 
 }  // namespace
 
 OpeningTimes::OpeningTimes(const Task& task)
-    : task_(task), earliest_(task.map, task.rules, task.aircraft), matter_(may_matter(task)) {}
+    : task_(task),
+      earliest_(task.map, task.rules, task.aircraft),
+      may_be_late_(may_open_late(task)),
+      matter_(may_be_late_ || may_fly_longer(task)) {}
 
 OpeningTimes OpeningTimes::at_once(const Task& task) {
     OpeningTimes times(task);
-    times.matter_ = false;
+    times.may_be_late_ = times.matter_ = false;
     times.at_once_ = true;
     return times;
 }

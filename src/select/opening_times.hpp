@@ -18,6 +18,9 @@ class OpeningTimes {
     // Whether the ground agent may ever have to wait longer than the detour to a breach cell takes. Not if breaches
     // take no time, and an aircraft that may breach all that is removed, and fly any distance, starts with it and is no
     // slower.
+    bool may_be_late() const { return may_be_late_; }
+    // Whether the times of a set count in the objective: it may open late, or the flights that open it may end after
+    // the drive, as those of aircraft that do not end where it ends.
     bool matter() const { return matter_; }
     // Whether that is only as if nobody waited.
     bool are_at_once() const { return at_once_; }
@@ -32,6 +35,7 @@ class OpeningTimes {
   private:
     const Task& task_;
     EarliestOpenings earliest_;
+    bool may_be_late_ = false;
     bool matter_ = false;
     bool at_once_ = false;
 };
