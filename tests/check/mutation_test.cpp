@@ -342,10 +342,14 @@ void for_any_case(const std::function<void(const LonePlan&)>& visit) {
 }
 
 TEST(Mutation, IsRejectedForTheRightReason) {
+    // The rarest can be made in one case out of five.
+    constexpr int enough_for_all = 100;
+    int cases = 0;
     std::map<std::string, int> made;
     const bool all_rejected = rc::check("every mutation of every plan is rejected", [&] {
         for_any_case([&](const LonePlan& valid) {
             RC_ASSERT(broken_rules(valid.map, valid.mission, valid.plan).empty());
+            ++cases;
             for (const Mutation& mutation : mutations) {
                 LonePlan mutant = valid;
                 if (!mutation.mutate(mutant)) continue;
@@ -360,6 +364,7 @@ TEST(Mutation, IsRejectedForTheRightReason) {
         });
     });
     EXPECT_TRUE(all_rejected);
+    if (cases < enough_for_all) return;
     for (const Mutation& mutation : mutations) EXPECT_GT(made[mutation.name], 0) << mutation.name;
 }
 

@@ -68,6 +68,19 @@ RC_GTEST_PROP(CrossingLaws, AWeightedPathIsAsLongAsItsWeightAllows, ()) {
     RC_ASSERT(found.best.crossed.size() <= std::size_t(problem.crossings));
 }
 
+// Of one search. A choice of several, each with a budget of its own, has no such law.
+RC_GTEST_PROP(CrossingLaws, ASearchThatMayExpandMoreProvesNoLess, ()) {
+    const CrossingCase problem = *any_case(24);
+    CrossingOptions options = problem.options();
+    double before = 0;
+    for (options.limits.expansions = 1; options.limits.expansions < 100;
+         options.limits.expansions += std::uint64_t(*number(1, 9))) {
+        const double proven = problem.find(options).lower_bound;
+        RC_ASSERT(proven >= before * (1 - 1e-12));
+        before = proven;
+    }
+}
+
 // What was crossed and left then counts by its number and prices, and not by its members. Of a point in time costs are
 // lower limits: they may differ, but not be above the square's.
 RC_GTEST_PROP(CrossingLaws, ObstaclesThatEachOpenAloneAreSearchedByTheirNumber, ()) {

@@ -215,18 +215,6 @@ RC_GTEST_PROP(ExactChoice, SaysSoWhenALimitCostsTime, ()) {
     if (plan.before.makespan.value_or(never) > before * (1 + 1e-9)) RC_ASSERT(plan.limit_reached);
 }
 
-RC_GTEST_PROP(ExactChoice, ProvesNoLessWhenItMayExpandMore, ()) {
-    World world = any_world();
-    double before = 0;
-    for (world.limits.expansions = 1; world.limits.expansions < 60;
-         world.limits.expansions += std::uint64_t(*number(1, 9))) {
-        const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
-        if (!plan.before.makespan || plan.status != PlanStatus::solved) continue;
-        RC_ASSERT(*plan.bound >= before * (1 - 1e-9));
-        before = *plan.bound;
-    }
-}
-
 TEST(ExactChoice, OpensWhatIsMostInTheWayWhenOutOfTime) {
     const Map map = map_from_ascii(R"(
         ..a....
