@@ -54,7 +54,8 @@ struct Itinerary {
     std::vector<Waypoint> path = {};
     Cell start = {};
     Cell goal = {};
-    // Whether it gets to its goal; else it stands at its start until Rules::unreached.
+    // Whether it gets to its goal; else it stands at its start, or where it has breached its last, until
+    // Rules::unreached.
     bool reached = true;
     // Of a ground agent, if asked for: how much earlier it is at its goal than if it were alone and nothing were
     // removed, in units of time (below 0: later); empty where it has no way then.

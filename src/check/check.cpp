@@ -114,8 +114,8 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
     const Itinerary* ground = only_agent(plan, AgentKind::ground, all);
     const Itinerary* air = only_agent(plan, AgentKind::air, all);
     if (!ground || !air) return all;
-    const Violations ground_times = judge_timetable(*ground, &driver, terms);
-    const Violations air_times = judge_timetable(*air, &flyer, terms);
+    const Violations ground_times = judge_timetable(*ground, &driver, {}, terms);
+    const Violations air_times = judge_timetable(*air, &flyer, {}, terms);
     append(all, ground_times);
     append(all, air_times);
     // Where somebody is at a time can be asked of a timetable that goes forward in time.

@@ -62,7 +62,8 @@ double away(const Waypoint& a, const Waypoint& b);
 double away(const Waypoint& p, const Waypoint& a, const Waypoint& b);
 
 // A path from start to goal, in time and at the agent's speed. `asked`: the agent as the mission has it, if it does.
-Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Terms& terms);
+// `own`: what it breaches, in order.
+Violations judge_timetable(const Itinerary& agent, const Agent* asked, std::span<const Breach> own, const Terms& terms);
 
 // That the agent stands at its start until it is ready, also if that is its goal.
 Violations judge_ready(const Itinerary& agent, const Agent& asked, const Terms& terms);

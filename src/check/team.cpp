@@ -109,7 +109,7 @@ class TeamJudge {
         for (const Itinerary& path : plan_.agents) {
             const Agent& agent = *agents_.at(path.id);
             const Terms terms{terms_.rules, agent.body, terms_.tolerance};
-            const Violations times = judge_timetable(path, &agent, terms);
+            const Violations times = judge_timetable(path, &agent, breaches_by(agent.id), terms);
             append(found_, times);
             const bool unreadable = std::any_of(times.begin(), times.end(), [](const Violation& v) {
                 return v.rule == Rule::agents || v.rule == Rule::time;
@@ -184,8 +184,10 @@ class TeamJudge {
                 report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
             }
             double arrival = agent.ready_at + length / agent.speed;
-            if (may_stay) arrival = std::min(arrival, *terms_.rules.unreached);
-            if (may_stay && !plan_.before.routes[i].length) arrival = *terms_.rules.unreached;
+            if (may_stay) {
+                const double latest = std::max(*terms_.rules.unreached, agent.ready_at);
+                arrival = plan_.before.routes[i].length ? std::min(arrival, latest) : latest;
+            }
             any_recharges = any_recharges || agent.recharge;
             alone = std::max(alone, arrival);
             alone_sum += agent.weight * arrival;

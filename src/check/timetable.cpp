@@ -1,4 +1,6 @@
 // Timetables: from start to goal, forward in time, at full speed or at rest.
+#include <algorithm>
+
 #include "check/judge.hpp"
 
 namespace waybreaker::checker {
@@ -16,21 +18,30 @@ Violations judge_form(const Itinerary& agent) {
     return {};
 }
 
-// Whether it may be left, and stands at its start until it counts as unreached.
-Violations judge_unreached(const Itinerary& agent, Point start, const Terms& terms) {
+// Whether it is at its last place from the last of its breaches on.
+bool stays_behind(const Itinerary& agent, std::span<const Breach> own, const Terms& terms) {
+    if (own.empty()) return false;
+    return std::ranges::any_of(agent.path, [&](const Waypoint& p) {
+        return place(p) == place(agent.path.back()) && agree(terms, p.t, own.back().cleared_at);
+    });
+}
+
+// Whether it may be left, and stands at its start, or where it has breached its last, until it counts as unreached.
+Violations judge_unreached(const Itinerary& agent, std::span<const Breach> own, Point start, double latest,
+                           const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     const Waypoint& last = agent.path.back();
     const auto fault = [&](const std::string& what) -> Violations {
         return {{Rule::goal, who + what, agent.id, {}, place(last), last.t}};
     };
     if (!terms.rules.unreached || agent.kind == AgentKind::air) return fault("is not reached, and has to be");
-    if (place(last) != start) return fault("is not reached, and ends elsewhere than at its start");
-    if (agree(terms, last.t, *terms.rules.unreached)) return {};
-    return fault("is not reached, and stands there until " + text(last.t) + " instead of " +
-                 text(*terms.rules.unreached));
+    if (place(last) != start && !stays_behind(agent, own, terms))
+        return fault("is not reached, and ends elsewhere than at its start");
+    if (agree(terms, last.t, latest)) return {};
+    return fault("is not reached, and stands there until " + text(last.t) + " instead of " + text(latest));
 }
 
-Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& terms) {
+Violations judge_ends(const Itinerary& agent, const Agent* asked, std::span<const Breach> own, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     const Waypoint& first = agent.path.front();
     const Waypoint& last = agent.path.back();
@@ -50,15 +61,16 @@ Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& t
     if (!is_under_way && !agree(terms, first.t, 0)) {
         found.push_back({Rule::start, who + "does not start at time 0", agent.id, {}, place(first), first.t});
     }
+    // Under way it may be free only after that.
+    const double latest = std::max(terms.rules.unreached.value_or(last.t), is_under_way ? asked->ready_at : 0);
     if (!agent.reached) {
-        append(found, judge_unreached(agent, start, terms));
+        append(found, judge_unreached(agent, own, start, latest, terms));
         return found;
     }
     if (place(last) != Point(agent.goal)) {
         const std::string message = who + "ends at " + text(place(last)) + " instead of " + text(agent.goal);
         found.push_back({Rule::goal, message, agent.id, {}, place(last), last.t});
     }
-    const double latest = terms.rules.unreached.value_or(last.t);
     if (agent.kind == AgentKind::ground && last.t > latest + slack(terms, latest)) {
         const std::string message =
             who + "is at its goal at " + text(last.t) + ", and counts as not reached from " + text(latest) + " on";
@@ -94,10 +106,11 @@ Violations judge_moves(const Itinerary& agent, std::size_t approach, const Terms
 
 }  // namespace
 
-Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Terms& terms) {
+Violations judge_timetable(const Itinerary& agent, const Agent* asked, std::span<const Breach> own,
+                           const Terms& terms) {
     Violations found = judge_form(agent);
     if (!found.empty()) return found;
-    found = judge_ends(agent, asked, terms);
+    found = judge_ends(agent, asked, own, terms);
     append(found, judge_moves(agent, asked == nullptr ? 0 : asked->approach.size(), terms));
     return found;
 }

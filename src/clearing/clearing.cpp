@@ -215,9 +215,10 @@ class ClearingPlanner {
             std::optional<ClearingDrive> clearing = past(driving, vehicle, tours[i], rules.opened);
             if (!clearing) return std::nullopt;
             others.agents[clearing_[i]] = under_way(vehicle, *clearing);
-            if (rules.unreached && others.agents[clearing_[i]].ready_at >= *rules.unreached) return std::nullopt;
-            if (!tours[i].empty())
+            if (!tours[i].empty()) {
+                if (rules.unreached && others.agents[clearing_[i]].ready_at >= *rules.unreached) return std::nullopt;
                 driving.add(std::uint32_t(clearing_[i]), clearing->path, vehicle.body.reach(), false);
+            }
             for (const Cleared& one : clearing->breaches) rules.opened.push_back({one.obstacle, one.cleared_at});
             clearings.push_back(std::move(*clearing));
         }

@@ -53,7 +53,7 @@ double LeastArrivals::objective(std::span<const double> arrivals) const {
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
         const Agent& agent = mission_.agents[i];
         if (agent.kind == AgentKind::air) continue;
-        finish.add(agent, std::min(arrivals[i], mission_.rules.unreached.value_or(infinity)));
+        finish.add(agent, std::min(arrivals[i], unreached_at(mission_.rules, agent)));
     }
     return rank(mission_.rules.objective, finish).first;
 }

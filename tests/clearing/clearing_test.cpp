@@ -339,6 +339,34 @@ TEST(Clearing, TwoDoNotMeetOnTheirWays) {
     EXPECT_EQ(plan.breaches.size(), 2U);
 }
 
+// Its own goal is walled in.
+TEST(Clearing, OneThatCannotArriveStaysWhereItHasBreachedItsLast) {
+    const Map map = map_from_ascii(R"(
+        ...a....
+        ...a.bbb
+        ...a.b.b
+        ...a.bbb)");
+    Mission mission{{vehicle("dozer", {0, 2}, {6, 2}), vehicle("van", {0, 0}, {7, 0})}};
+    mission.agents[0].own_breaches = 1;
+    Rules& rules = mission.rules;
+    rules.removals = 1;
+    rules.objective = Objective::flowtime;
+    rules.collisions = false;
+    rules.unreached = 30;
+    rules.protect = {map.obstacle_at({5, 1})};
+    const Plan plan = Planner().plan(map, mission);
+    EXPECT_EQ(plan_faults(map, mission, plan), "");
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_EQ(plan.breaches[0].by, "dozer");
+    EXPECT_TRUE(plan.agents[1].reached);
+    const Itinerary& dozer = plan.agents[0];
+    EXPECT_FALSE(dozer.reached);
+    EXPECT_DOUBLE_EQ(dozer.path.back().t, 30);
+    Plan elsewhere = plan;
+    elsewhere.agents[0].path.back().y += 1;
+    EXPECT_NE(plan_faults(map, mission, elsewhere).find("is not reached, and ends elsewhere"), std::string::npos);
+}
+
 TEST(Clearing, RefusesWhatItCannotPlan) {
     const Map map(Grid(8, 8));
     Mission mission{{vehicle("dozer", {0, 0}, {7, 7}), vehicle("rover", {0, 3}, {7, 3})}};
