@@ -48,8 +48,11 @@ RehearsedPlan rehearsed(const RehearseOptions& options, const io::PlanFile& file
     RehearsalOptions asked = options.rehearsal;
     asked.progress = [&](int done) { progress.update(fmt::format("{} of {} runs", done, asked.runs)); };
     try {
-        return {name, rehearse(map.map, file.asked.mission, file.plan, asked, method_of_revisions(file.asked.method),
-                               {.seconds = options.seconds, .threads = 1})};
+        const Mission& mission = file.asked.mission;
+        return {name,
+                rehearse(map.map, mission, file.plan, asked, method_of_revisions(file.asked.method),
+                         {.seconds = options.seconds, .threads = 1}),
+                mission.rules.objective, mission.rules.unreached.has_value()};
     } catch (const InputError& error) {
         throw InputError(name, 0, error.what());
     }

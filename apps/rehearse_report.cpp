@@ -53,10 +53,14 @@ Row spread_row(const std::string& name, double planned, const Spread& spread, bo
     return row;
 }
 
-std::string counts(const RehearsalReport& report, const Rehearsal& rehearsal) {
+std::string counts(const RehearsalReport& report, const RehearsedPlan& plan) {
+    const Rehearsal& rehearsal = plan.rehearsal;
     const auto runs = double(rehearsal.runs.size());
-    std::string text = fmt::format("all vehicles home      {} of {} ({})\n", rehearsal.arrived, rehearsal.runs.size(),
-                                   percent(rehearsal.arrived / runs));
+    std::string text = fmt::format("{:<22} {} of {} ({})\n", plan.may_leave ? "played to the end" : "all vehicles home",
+                                   rehearsal.arrived, rehearsal.runs.size(), percent(rehearsal.arrived / runs));
+    if (plan.may_leave && rehearsal.arrived > 0)
+        text += fmt::format("not reached in time    {:.2f} vehicles a run, {} as planned\n", rehearsal.unreached,
+                            rehearsal.unreached_planned);
     const auto other = [&](Ending ending, const char* what) {
         if (const int count = count_of(rehearsal, ending); count > 0)
             text += fmt::format("  {:<20} {} ({})\n", what, count, percent(count / runs));
@@ -115,6 +119,8 @@ void add_figures(const RehearsedPlan& plan, bool timing, Json& json) {
     json["emptied"] = rehearsal.emptied;
     json["makespan"] = spread_json(rehearsal.planned, rehearsal.makespan);
     json["ground_makespan"] = spread_json(rehearsal.ground_planned, rehearsal.ground_makespan);
+    json["flowtime"] = spread_json(rehearsal.flowtime_planned, rehearsal.flowtime);
+    if (plan.may_leave) json["unreached"] = {{"planned", rehearsal.unreached_planned}, {"mean", rehearsal.unreached}};
     json["as_planned"] = share_in_time(rehearsal);
     json["revisions"] = {{"mean", rehearsal.revisions}};
     if (timing) {
@@ -139,11 +145,13 @@ std::string rehearsal_table(const RehearsalReport& report, bool bold) {
         text += "\n";
         if (report.plans.size() > 1) text += shortened(plan.name) + "\n";
         const std::string unit = report.time_unit.empty() ? "time" : fmt::format("time ({})", report.time_unit);
-        text += aligned({{unit, "planned", "mean", "median", "95 %", "worst"},
-                         spread_row("makespan", rehearsal.planned, rehearsal.makespan, any),
-                         spread_row("ground makespan", rehearsal.ground_planned, rehearsal.ground_makespan, any)},
-                        bold);
-        text += "\n" + counts(report, rehearsal);
+        std::vector<Row> rows{{unit, "planned", "mean", "median", "95 %", "worst"},
+                              spread_row("makespan", rehearsal.planned, rehearsal.makespan, any),
+                              spread_row("ground makespan", rehearsal.ground_planned, rehearsal.ground_makespan, any)};
+        if (plan.objective == Objective::flowtime)
+            rows.push_back(spread_row("flowtime", rehearsal.flowtime_planned, rehearsal.flowtime, any));
+        text += aligned(rows, bold);
+        text += "\n" + counts(report, plan);
     }
     if (report.plans.size() > 1) text += comparison(report);
     return text;
@@ -165,13 +173,15 @@ std::string rehearsal_json(const RehearsalReport& report) {
 
 std::string rehearsal_csv(const RehearsalReport& report) {
     std::string text =
-        "plan,run,ending,makespan,ground_makespan,revisions,failed,blocked,lost,illegal,on_reserve,emptied\n";
+        "plan,run,ending,makespan,ground_makespan,revisions,failed,blocked,lost,illegal,on_reserve,emptied,"
+        "flowtime,unreached\n";
     for (const RehearsedPlan& plan : report.plans) {
         for (std::size_t i = 0; i < plan.rehearsal.runs.size(); ++i) {
             const Rehearsed& run = plan.rehearsal.runs[i];
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i,
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i,
                                 to_string(run.ending), run.makespan, run.ground_makespan, run.revisions, run.failed,
-                                run.blocked, run.lost, run.illegal, run.on_reserve, run.emptied);
+                                run.blocked, run.lost, run.illegal, run.on_reserve, run.emptied, run.flowtime,
+                                run.unreached);
         }
     }
     return text;

@@ -11,6 +11,8 @@ namespace waybreaker::apps {
 struct RehearsedPlan {
     std::string name;  // of its file
     Rehearsal rehearsal;
+    Objective objective = Objective::makespan;
+    bool may_leave = false;  // vehicles that cannot be reached in time
 };
 
 struct RehearsalReport {

@@ -15,20 +15,21 @@ namespace {
 
 constexpr double seconds_of_revision = 10;
 
-std::string figures(const Rehearsal& rehearsal) {
+std::string figures(const Rehearsal& rehearsal, Objective objective) {
     const std::size_t runs = rehearsal.runs.size();
     const bool all = std::size_t(rehearsal.arrived) == runs;
-    return fmt::format("mean makespan {:.3f}{}", rehearsal.makespan.mean,
+    return fmt::format("mean {} {:.3f}{}", to_string(objective), spread_by(rehearsal, objective).mean,
                        all ? "" : fmt::format(", {} of {} arrive", rehearsal.arrived, runs));
 }
 
-std::string report_of(const std::vector<Rehearsal>& rehearsals, std::size_t chosen, const RobustOptions& options) {
+std::string report_of(const std::vector<Rehearsal>& rehearsals, std::size_t chosen, Objective objective,
+                      const RobustOptions& options) {
     const std::string within = fmt::format("within {:g}%", 100 * *options.share);
-    const std::string best = figures(rehearsals[chosen]);
+    const std::string best = figures(rehearsals[chosen], objective);
     const std::string runs = fmt::format("{} rehearsals", options.rehearsal.runs);
     if (rehearsals.size() == 1) return fmt::format("no other plan {} was evaluated; in {}: {}\n", within, runs, best);
     std::string text = fmt::format("of {} plans {} this one is best in {}: {}", rehearsals.size(), within, runs, best);
-    if (chosen != 0) text += fmt::format("; the plan that it replaces: {}", figures(rehearsals.front()));
+    if (chosen != 0) text += fmt::format("; the plan that it replaces: {}", figures(rehearsals.front(), objective));
     return text + "\n";
 }
 
@@ -45,8 +46,8 @@ void add_robust_options(CLI::App& command, RobustOptions& options) {
         .add_option_function<std::string>(
             "--robust", read,
             "Of the plans that were evaluated and are at most that much worse than the best one, take the one that "
-            "rehearses best: the most missions arrive, then the mean makespan is the least. Takes time beyond "
-            "--time-limit")
+            "rehearses best: the most missions arrive, then the mean of what --objective says is the least. Takes time "
+            "beyond --time-limit")
         ->type_name("SHARE");
     for (CLI::Option* draw : add_draws(command, options.rehearsal)) draw->needs("--robust");
 }
@@ -67,8 +68,9 @@ RobustPlan robust_plan(const io::MapFile& map, const io::MissionDocument& asked,
                                       method_of_revisions(asked.method),
                                       {.seconds = seconds_of_revision, .threads = 1}));
     }
-    const std::size_t chosen = most_robust(rehearsals, asked.mission.rules.objective);
-    return {std::move(plans[chosen]), report_of(rehearsals, chosen, options)};
+    const Objective objective = asked.mission.rules.objective;
+    const std::size_t chosen = most_robust(rehearsals, objective);
+    return {std::move(plans[chosen]), report_of(rehearsals, chosen, objective, options)};
 }
 
 }  // namespace waybreaker::apps

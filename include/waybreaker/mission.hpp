@@ -177,8 +177,8 @@ struct Rules {
     // Whether ground agents keep clear of each other. If not, they may be anywhere at once, as destinations of one
     // vehicle after the other are.
     bool collisions = true;
-    // A ground agent that is not at its goal by then stays at its start, and counts as if it arrived then; empty: each
-    // must arrive. Where ground agents do not collide.
+    // A ground agent that is not at its goal by then stays at its start, and counts as if it arrived then, or when it
+    // is ready if it is under way till later; empty: each must arrive. Where ground agents do not collide.
     std::optional<double> unreached = {};
     // Of several ground agents: the room between any two of their discs, in cells, 0 to 32; and whether those that have
     // arrived are in the way of others.

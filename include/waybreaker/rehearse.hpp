@@ -61,9 +61,9 @@ struct RehearsalOptions {
 inline constexpr double least_sight = 3;
 inline constexpr int most_runs = 10'000'000;
 
-// How a mission ended. `arrived`: all vehicles are at their goals; `no_way`: the plan could not be revised, there is
-// none any more; `not_found`: a plan may exist, and none was found; `broken`: a vehicle was bound to meet what is in
-// its way; `stuck`: everybody waits for somebody.
+// How a mission ended. `arrived`: all vehicles are at their goals, or count as not reached; `no_way`: the plan could
+// not be revised, there is none any more; `not_found`: a plan may exist, and none was found; `broken`: a vehicle was
+// bound to meet what is in its way; `stuck`: everybody waits for somebody.
 enum class Ending { arrived, no_way, not_found, broken, stuck };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<Ending>{"arrived", "no_way", "not_found", "broken", "stuck"};
@@ -74,6 +74,8 @@ struct Rehearsed {
     // was.
     double makespan = 0;
     double ground_makespan = 0;
+    double flowtime = 0;     // the weighted sum over all agents that were not lost
+    int unreached = 0;       // vehicles that were not at their goals by Rules::unreached, and count as if then
     int failed = 0;          // breaches
     int blocked = 0;         // streets
     int lost = 0;            // aircraft
@@ -101,8 +103,12 @@ struct Rehearsal {
     int emptied = 0;     // runs in which the battery of one did not bring it home
     double planned = 0;
     double ground_planned = 0;
+    double flowtime_planned = 0;
+    int unreached_planned = 0;  // vehicles
     Spread makespan = {};
     Spread ground_makespan = {};
+    Spread flowtime = {};
+    double unreached = 0;                // vehicles, on average over the runs that arrived
     double revisions = 0;                // on average over all runs
     std::vector<double> revise_ms = {};  // how long each revision took, in rising order
 };
@@ -115,8 +121,11 @@ struct Rehearsal {
                                  const RehearsalOptions& options = {}, const Method& method = {},
                                  const Limits& limits = {});
 
+// Of what the objective counts.
+[[nodiscard]] const Spread& spread_by(const Rehearsal& rehearsal, Objective objective);
+
 // Of rehearsals of plans of one mission on the same draws, the place of the one to prefer: the most runs arrive; of
-// those, the mean makespan is the least (that of ground agents, where it is the objective); of those, the first.
+// those, the mean of the objective is the least; of those, the first.
 //
 //     std::vector<Rehearsal> rehearsals;
 //     for (const Plan& plan : planner.alternatives(map, mission, 0.01))

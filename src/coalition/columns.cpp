@@ -224,7 +224,7 @@ double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opene
 void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, double length) {
     Pool& pool = pools_[vehicle];
     Column column;
-    column.arrival = std::min(arrival_of(*problem_.vehicles()[vehicle], opened, length), problem_.unreached());
+    column.arrival = std::min(arrival_of(*problem_.vehicles()[vehicle], opened, length), problem_.unreached(vehicle));
     for (const ObstacleId id : opened) {
         const auto known = std::ranges::find(pool.obstacles, id);
         column.opened.push_back(std::uint32_t(known - pool.obstacles.begin()));

@@ -60,8 +60,8 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
         found.closed = agent.ready_at + closed.best.cost / agent.speed;
         options.length_limit = options.expected = closed.best.cost;
     }
-    if (problem_.unreached() < found.closed) {
-        found.closed = problem_.unreached();
+    if (problem_.unreached(vehicle) < found.closed) {
+        found.closed = problem_.unreached(vehicle);
         options.length_limit = options.expected = (found.closed - agent.ready_at) * agent.speed;
     }
     options.crossings = 1;

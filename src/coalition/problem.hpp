@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "model/objective.hpp"
 #include "team/vehicle.hpp"
 #include "waybreaker/mission.hpp"
 
@@ -53,8 +54,8 @@ class Problem {
     double spare_budget() const { return spare_budget_; }
     // Whether all of these may be removed beside those that must be.
     bool allows(std::span<const ObstacleId> set) const;
-    // What a vehicle counts as that is not at its goal by then; infinity if each must be.
-    double unreached() const { return rules().unreached.value_or(infinity); }
+    // What the vehicle counts as if it is not at its goal by then; infinity if it must be.
+    double unreached(std::size_t vehicle) const { return unreached_at(rules(), *vehicles_[vehicle]); }
     double weight(std::size_t vehicle) const { return vehicles_[vehicle]->weight; }
     // What an aircraft's time counts for at least.
     double flight_weight() const { return flight_weight_; }

@@ -64,7 +64,7 @@ const Ways::Menu* Ways::larger_menu(std::size_t vehicle, const Set& part) const 
 // Of the way past all obstacles, in cells; or of what gets there before it counts as unreached.
 double Ways::longest(std::size_t vehicle) const {
     const team::Vehicle& closed = closed_[vehicle];
-    if (closed.way.empty() && std::isinf(problem_.unreached())) return infinity;
+    if (closed.way.empty() && std::isinf(problem_.unreached(vehicle))) return infinity;
     return (closed.alone - closed.agent.ready_at) * closed.agent.speed;
 }
 
@@ -105,7 +105,7 @@ Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<cons
 Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Worker& worker) {
     const team::Vehicle& closed = closed_[vehicle];
     Menu menu;
-    if (std::isfinite(problem_.unreached())) menu.ways.push_back(stay(vehicle));
+    if (std::isfinite(problem_.unreached(vehicle))) menu.ways.push_back(stay(vehicle));
     if (!closed.way.empty()) menu.ways.push_back(closed_way(vehicle));
     if (set.empty() || problem_.interrupts().due()) {
         menu.complete = set.empty();
@@ -208,7 +208,7 @@ Way Ways::stay(std::size_t vehicle) const {
     const Agent& agent = closed_[vehicle].agent;
     Way way;
     way.path = {agent.start};
-    way.drive = problem_.unreached() - agent.ready_at;
+    way.drive = problem_.unreached(vehicle) - agent.ready_at;
     return way;
 }
 

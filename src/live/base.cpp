@@ -134,10 +134,18 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
     return bases;
 }
 
+std::vector<Base> first_of(const std::vector<std::vector<Base>>& choices) {
+    std::vector<Base> first;
+    for (const std::vector<Base>& bases : choices) {
+        if (!bases.empty()) first.push_back(bases.front());
+    }
+    return first;
+}
+
 std::vector<Base> without_meetings(const Map& map, double separation, bool stay, std::span<const Agent> agents,
                                    const std::vector<std::vector<Base>>& choices) {
     if (std::ranges::any_of(choices, [](const auto& bases) { return bases.empty(); })) return {};
-    if (choices.size() == 1) return {choices.front().front()};
+    if (choices.size() == 1) return first_of(choices);
     std::vector<std::size_t> chosen(agents.size(), 0);
     const auto base = [&](std::size_t i) -> const Base& { return choices[i][chosen[i]]; };
     Traffic traffic(map.width(), map.height(), separation);

@@ -30,6 +30,9 @@ struct Ground {
 std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided,
                            std::size_t most);
 
+// The best of each that has one.
+std::vector<Base> first_of(const std::vector<std::vector<Base>>& choices);
+
 // One for each agent, so that nobody meets anybody: of those given, the first that do. `stay`: whether they stand at
 // their ends until all have got there. Empty where there are none.
 std::vector<Base> without_meetings(const Map& map, double separation, bool stay, std::span<const Agent> agents,

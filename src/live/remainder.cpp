@@ -64,7 +64,7 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         finish.add(agent, std::max(itinerary.path.back().t, agent.ready_at));
         Route route{agent.kind};
         route.path = places(itinerary.path);
-        route.length = path_length(route.path);
+        if (itinerary.reached) route.length = path_length(route.path);
         rest.after.routes.push_back(std::move(route));
         rest.agents.push_back(std::move(itinerary));
     }

@@ -29,6 +29,7 @@ using live::Outlook;
 using live::Position;
 using live::Report;
 
+constexpr double never = std::numeric_limits<double>::infinity();
 // What planning gets even where the time is over.
 constexpr double least_seconds = 1e-3;
 
@@ -96,7 +97,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
     std::vector<std::size_t> vehicles;
     std::vector<std::vector<Base>> choices;
     // Nobody gets in the way of one alone.
-    const auto most = drives_alone(report, positions) ? 1 : std::numeric_limits<std::size_t>::max();
+    const bool may_meet = left.rules.collisions && !drives_alone(report, positions);
+    const auto most = may_meet ? std::numeric_limits<std::size_t>::max() : 1;
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (is_out(positions[i])) continue;
         Agent agent = left.agents[i];
@@ -104,27 +106,32 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         const bool stays =
             positions[i].finished() && agent.goal == left.agents[i].goal && positions[i].at == Point(agent.goal);
         const Itinerary& planned = report.plan.agents[i];
-        if (agent.kind == AgentKind::ground) {
+        const bool flies = agent.kind == AgentKind::air;
+        const bool may_open = (flies ? agent.breaches : agent.own_breaches) > 0 && left.rules.removals > 0;
+        // A vehicle that has arrived may have to make way, from now on.
+        const bool may_go = !flies && left.rules.collisions;
+        if (stays && !may_open && !may_go) {
+            begin_on(known, arrived(planned, positions[i], report.state.now), agent);
+        } else if (!flies) {
             vehicles.push_back(agents.size());
-            // One that has arrived may have to make way, from now on.
             const double bound = live::bound_until(report, i, positions[i]);
             choices.push_back(bases_of(ground, agent, positions[i], bound, most));
-        } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
-            begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
             const double bound =
                 std::max({live::bound_until(report, i, positions[i]), agent.ready_at, positions[i].leaves_zone});
             Base flight = live::until(positions[i].flight(), bound);
             begin_on(known, std::move(flight), agent);
         }
-        if (agent.kind == AgentKind::air)
+        if (flies)
             live::use_battery(left.agents[i], planned, positions[i], report.of(agent.id), report.state.now, agent);
         agents.push_back(std::move(agent));
     }
     std::vector<Agent> driving;
     for (const std::size_t i : vehicles) driving.push_back(agents[i]);
     std::vector<Base> bases =
-        live::without_meetings(known, left.rules.separation, placing == Placing::waiting, driving, choices);
+        left.rules.collisions
+            ? live::without_meetings(known, left.rules.separation, placing == Placing::waiting, driving, choices)
+            : live::first_of(choices);
     if (bases.size() != vehicles.size()) return false;
     for (std::size_t v = 0; v < vehicles.size(); ++v) begin_on(known, std::move(bases[v]), agents[vehicles[v]]);
     for (Agent joined : report.state.joined) {
@@ -195,13 +202,16 @@ Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& 
             own.agents.front().approach.clear();
             own.agents.front().own_breaches = 0;
             own.rules.force.clear();
+            own.rules.unreached.reset();
             const Plan its = plan(own);
             if (its.status == PlanStatus::solved) route = its.after.ground();
         }
-        all = all && route.length;
-        if (!route.length) continue;
         const bool flies = agent.kind == AgentKind::air;
-        finish.add(agent, agent.ready_at + (flies ? way_home(agent).lasts : *route.length / agent.speed));
+        const double latest = flies ? never : unreached_at(placed.rules, agent);
+        all = all && (route.length || std::isfinite(latest));
+        if (!route.length && std::isinf(latest)) continue;
+        const double lasts = flies ? way_home(agent).lasts : route.length.value_or(never) / agent.speed;
+        finish.add(agent, std::min(agent.ready_at + lasts, latest));
     }
     if (!all) return before;
     before.makespan = finish.makespan();
@@ -282,9 +292,6 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (!mission.rules.collisions)
-        throw InputError(ErrorCode::contradiction, "collisions",
-                         "a mission whose ground agents may be anywhere at once cannot be planned anew on its way");
     validate_polygons(mission.rules.zones);
     const Mission in_airspace = live::in_airspace_at(map, mission, state.now);
     const Report report{map, in_airspace, plan, state, state.now + reaction};
@@ -293,7 +300,8 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Mission left = live::left_of(report, outlooks);
     std::vector<live::Stopped> stopped;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (positions[i].doing == Doing::stopped && mission.agents[i].kind == AgentKind::ground)
+        const bool blocks = mission.agents[i].kind == AgentKind::ground && mission.rules.collisions;
+        if (positions[i].doing == Doing::stopped && blocks)
             stopped.push_back({positions[i].at, mission.agents[i].body});
     }
     const std::vector<Found> found = live::found_by(map, state, stopped);

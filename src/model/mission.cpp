@@ -180,7 +180,7 @@ void validate_unreached(const Mission& mission) {
                          "ground agents can only be left where they are if they do not collide (collisions: false)");
     }
     for (const Agent& agent : mission.agents) {
-        if (agent.kind == AgentKind::air || agent.ready_at < unreached) continue;
+        if (agent.kind == AgentKind::air || agent.ready_at < unreached || !agent.approach.empty()) continue;
         throw InputError(ErrorCode::contradiction, agent.id,
                          "the " + agent.id + " agent is ready at " + number_text(agent.ready_at) +
                              ", when it counts as not reached: that is from " + number_text(unreached) + " on");

@@ -41,6 +41,12 @@ struct Finish {
     }
 };
 
+// When an agent counts as arrived that is not at its goal by then: no earlier than it is ready, as one under way may be
+// after Rules::unreached; infinity if each has to arrive.
+inline double unreached_at(const Rules& rules, const Agent& agent) {
+    return std::max(rules.unreached.value_or(std::numeric_limits<double>::infinity()), agent.ready_at);
+}
+
 // When the aircraft are at their goals, in units of time.
 struct Returns {
     double last = 0;

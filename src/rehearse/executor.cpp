@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "rehearse/actor.hpp"
 #include "rehearse/draws.hpp"
+#include "rehearse/outcome.hpp"
 #include "rehearse/trail.hpp"
-#include "rehearse/zone_faults.hpp"
 #include "waybreaker/revise.hpp"
 
 namespace waybreaker::rehearsal {
@@ -47,7 +46,8 @@ class Execution {
         adopt(scene_.scripts);
         heed_news();
         while (result_.ending == Ending::arrived && !everybody_ended()) step();
-        close();
+        for (Actor& actor : actors_) log(actor);
+        sum_up(scene_, std::move(actors_), events_, now_, result_);
         return std::move(result_);
     }
 
@@ -345,26 +345,6 @@ class Execution {
             Actor& actor = actors_[i];
             if (actor.phase == Phase::waiting || actor.phase == Phase::arrived) go_on(actor);
         }
-    }
-
-    void close() {
-        const Rules& rules = scene_.mission.rules;
-        std::vector<std::string> faults;
-        std::vector<Trail> vehicles;
-        for (Actor& actor : actors_) {
-            log(actor);
-            const bool arrived = actor.phase == Phase::arrived;
-            const double ended = arrived ? actor.arrived_at : now_;
-            if (actor.phase != Phase::lost) result_.makespan = std::max(result_.makespan, ended);
-            if (auto fault = zone_fault(rules.zones, actor.trail)) faults.push_back(*std::move(fault));
-            if (actor.kind == AgentKind::air) continue;
-            result_.ground_makespan = std::max(result_.ground_makespan, ended);
-            vehicles.push_back(std::move(actor.trail));
-        }
-        const bool stay = rules.at_goal == AtGoal::stay;
-        std::ranges::move(faults_of(scene_.map, events_, vehicles, rules.separation, stay), std::back_inserter(faults));
-        result_.illegal = int(faults.size());
-        if (!faults.empty()) result_.fault = faults.front();
     }
 
     const Scene& scene_;

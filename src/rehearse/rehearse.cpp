@@ -33,8 +33,6 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a rehearsal plays who comes late as well, and does not know zones that hold for a time only: leave "
             "'from' and 'until' out, or the zones");
-    if (!mission.rules.collisions)
-        contradiction("a plan whose ground agents may be anywhere at once cannot be rehearsed");
 }
 
 Spread spread_of(std::vector<double> values) {
@@ -59,6 +57,8 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
     Rehearsal rehearsal;
     rehearsal.planned = plan.after.makespan.value_or(0);
     rehearsal.ground_planned = plan.after.ground_makespan.value_or(0);
+    rehearsal.flowtime_planned = plan.after.flowtime.value_or(0);
+    rehearsal.unreached_planned = int(std::ranges::count(plan.agents, false, &Itinerary::reached));
     rehearsal.runs.resize(std::size_t(options.runs));
     const std::vector<rehearsal::Script> scripts = rehearsal::scripts_of(map, mission, plan, {});
     const rehearsal::Scene scene{map, mission, plan, scripts, options, method, limits};
@@ -73,6 +73,7 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
     });
     std::vector<double> makespans;
     std::vector<double> ground_makespans;
+    std::vector<double> flowtimes;
     for (const Rehearsed& run : rehearsal.runs) {
         rehearsal.revisions += run.revisions;
         if (run.illegal > 0) ++rehearsal.illegal;
@@ -82,19 +83,26 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
         ++rehearsal.arrived;
         makespans.push_back(run.makespan);
         ground_makespans.push_back(run.ground_makespan);
+        flowtimes.push_back(run.flowtime);
+        rehearsal.unreached += run.unreached;
     }
+    if (rehearsal.arrived > 0) rehearsal.unreached /= rehearsal.arrived;
     rehearsal.revisions /= double(rehearsal.runs.size());
     rehearsal.makespan = spread_of(std::move(makespans));
     rehearsal.ground_makespan = spread_of(std::move(ground_makespans));
+    rehearsal.flowtime = spread_of(std::move(flowtimes));
     for (std::vector<double>& list : times) std::ranges::copy(list, std::back_inserter(rehearsal.revise_ms));
     std::ranges::sort(rehearsal.revise_ms);
     return rehearsal;
 }
 
+const Spread& spread_by(const Rehearsal& rehearsal, Objective objective) {
+    if (objective == Objective::flowtime) return rehearsal.flowtime;
+    return objective == Objective::ground_makespan ? rehearsal.ground_makespan : rehearsal.makespan;
+}
+
 std::size_t most_robust(std::span<const Rehearsal> rehearsals, Objective objective) {
-    const auto mean = [objective](const Rehearsal& rehearsal) {
-        return (objective == Objective::ground_makespan ? rehearsal.ground_makespan : rehearsal.makespan).mean;
-    };
+    const auto mean = [objective](const Rehearsal& rehearsal) { return spread_by(rehearsal, objective).mean; };
     const auto is_better = [&](const Rehearsal& a, const Rehearsal& b) {
         return a.arrived != b.arrived ? a.arrived > b.arrived : mean(a) < mean(b);
     };

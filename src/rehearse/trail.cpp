@@ -220,7 +220,7 @@ bool overlaps(Cell cell, Point at, double radius) {
 }
 
 std::vector<std::string> faults_of(const Map& map, const Events& events, std::span<const Trail> vehicles,
-                                   double separation, bool stay) {
+                                   const std::optional<double>& separation, bool stay) {
     std::vector<std::string> faults;
     const Ground ground(map, events);
     double end = 0;
@@ -233,13 +233,14 @@ std::vector<std::string> faults_of(const Map& map, const Events& events, std::sp
             break;
         }
     }
+    if (!separation) return faults;
     std::vector<Trail> trails(vehicles.begin(), vehicles.end());
     for (Trail& trail : trails) {
         if (stay && !trail.pieces.empty()) trail.add(Point(trail.pieces.back().to.x, trail.pieces.back().to.y), end);
     }
     for (std::size_t i = 0; i < trails.size(); ++i) {
         for (std::size_t j = i + 1; j < trails.size(); ++j) {
-            if (overlap(trails[i], trails[j], separation))
+            if (overlap(trails[i], trails[j], *separation))
                 faults.push_back(trails[i].agent + " and " + trails[j].agent + " overlap");
         }
     }

@@ -50,8 +50,8 @@ struct Events {
 };
 
 // What was illegal: vehicles in an obstacle that stands, and pairs of them that overlapped at some time, one line each.
-// Those whose trail ends stand there for ever if they `stay`.
+// Those whose trail ends stand there for ever if they `stay`. Without a separation they may be anywhere at once.
 std::vector<std::string> faults_of(const Map& map, const Events& events, std::span<const Trail> vehicles,
-                                   double separation, bool stay);
+                                   const std::optional<double>& separation, bool stay);
 
 }  // namespace waybreaker::rehearsal

@@ -76,7 +76,7 @@ void raise_bound(const OpenedMap& map, Vehicle& vehicle) {
 Path alone_on_its_way(const Ground& ground, const Vehicle& vehicle, const Rules& rules) {
     const Agent& agent = vehicle.agent;
     const SafeIntervalOptions options = driving(ground, vehicle);
-    const double last = rules.unreached.value_or(std::numeric_limits<double>::infinity());
+    const double last = unreached_at(rules, agent);
     if (!vehicle.way.empty() && vehicle.way.back() == agent.goal) {
         Path path = safe_interval::driven(ground.map, vehicle.way, options);
         if (path.back().t <= last) return path;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "drive/punctual.hpp"
+#include "model/objective.hpp"
 #include "model/opened.hpp"
 #include "safe_interval/driven.hpp"
 #include "team/tuning.hpp"
@@ -121,9 +122,10 @@ std::vector<Cell> cells_of(std::span<const Point> path) {
 
 void count_unreached(const Rules& rules, Vehicle& vehicle) {
     if (!rules.unreached) return;
+    const double latest = unreached_at(rules, vehicle.agent);
     const bool never = vehicle.way.empty();
-    vehicle.alone = never ? *rules.unreached : std::min(vehicle.alone, *rules.unreached);
-    vehicle.bound = never ? *rules.unreached : std::min(vehicle.bound, *rules.unreached);
+    vehicle.alone = never ? latest : std::min(vehicle.alone, latest);
+    vehicle.bound = never ? latest : std::min(vehicle.bound, latest);
 }
 
 SearchStatus go_alone(const Ground& ground, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,

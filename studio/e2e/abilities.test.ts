@@ -61,8 +61,8 @@ it("opens what is small enough, in its own time", async () => {
   await page.getByRole("complementary").getByText("Too large for all who open the way here.").waitFor();
   await page.getByRole("button", { name: "Close", exact: true }).click();
 
-  expect(await fold.getByLabel("Time to open one").getAttribute("placeholder")).toBe("0");
-  await fold.getByLabel("Time to open one").focus();
+  expect(await fold.getByLabel("Its own time to open one").getAttribute("placeholder")).toBe("0");
+  await fold.getByLabel("Its own time to open one").focus();
   await page.keyboard.type("90");
   await fold.getByLabel("… and for each m²").focus();
   await page.keyboard.type("0,5");
@@ -119,7 +119,7 @@ it("a vehicle opens for others what it is told to, from as far as it reaches", a
   await page.getByRole("button", { name: "digger", exact: true }).click();
   const fold = page.getByRole("group", { name: "What it opens", exact: true });
   await fold.getByText("Only obstacles 520 and 607").waitFor();
-  expect(await fold.getByLabel("Time to open one").inputValue()).toBe("20");
+  expect(await fold.getByLabel("Its own time to open one").inputValue()).toBe("20");
   expect(await fold.getByLabel("Reach").inputValue()).toBe("2.4");
   await fold.getByLabel("Reach").fill("12");
   await expect.poll(async () => (await agentOf(studio, 0)).reach).toBe(5);

@@ -60,7 +60,6 @@ it("opens with its rules, is planned as by the command, and says which places ar
   const table = page.getByRole("table", { name: /^When each agent arrives/ });
   await table.getByRole("row", { name: /yard not reached/ }).waitFor();
   await table.getByRole("row", { name: /school .*only now/ }).waitFor();
-  await page.getByText("Missions whose vehicles pass through each other cannot be rehearsed.").waitFor();
   await page.locator("summary", { hasText: "Mission settings" }).click();
   const passes = page.getByLabel("Vehicles pass through each other");
   expect(await passes.isChecked()).toBe(true);
@@ -86,6 +85,27 @@ it("opens with its rules, is planned as by the command, and says which places ar
   const weights = async () => ((await studio.plan()).mission!.agents as AgentDocument[]).map(({ weight }) => weight);
   await expect.poll(weights).toEqual([180, 0, 80, 0]);
   expect([...studio.faults, ...again.faults]).toEqual([]);
+});
+
+it("says of a rehearsal what it does to the average, and who is no longer reached", async () => {
+  const studio = await setting.settled({ query });
+  const { page } = studio;
+  const file = join(setting.scratch, "rehearsed.json");
+  writeFileSync(file, JSON.stringify(mission));
+  await page.getByLabel("File to open").setInputFiles(file);
+  await studio.result().getByText("2 of 3 places are reached, 1 only now. Not reached: yard.").first().waitFor();
+  await studio.settled();
+  await page.getByRole("button", { name: "Rehearse this plan" }).click();
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.getByRole("button", { name: "Breach fails" }).first().click();
+  const told = /^The breach of .+ failed at .+: the weighted average arrival is .+ later, at .+; school is no longer reached\.$/;
+  await studio.result().getByRole("heading", { name: told }).waitFor();
+  await page.locator('.rehearsal[aria-busy="false"]').getByText("Checked independently").waitFor();
+  expect(await studio.accessibilityFaults()).toEqual([]);
+  await page.screenshot({ path: join(process.env.SHOTS ?? setting.scratch, "places-rehearsed.png") });
+  await page.getByRole("button", { name: "Back to the plan" }).click();
+  await studio.result().getByText("2 of 3 places are reached").first().waitFor();
+  expect(studio.faults).toEqual([]);
 });
 
 it("shows thirty places, on a phone as well", async () => {

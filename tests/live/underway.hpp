@@ -155,6 +155,24 @@ inline Underway any_clearing(int side, int most_retries, Left left = Left::nothi
     return drawn;
 }
 
+// From one hospital to several places, some of which may not be reached in time; before it begins.
+inline Underway any_places(int side, int most_retries) {
+    const PlainMap plain = *random_map(side, side);
+    Underway drawn{Map(plain.grid()), any_mission(plain, 5, most_retries)};
+    drawn.mission.rules.collisions = false;
+    drawn.mission.rules.unreached = *rc::gen::element(8.0, 20.0, 60.0);
+    leave(Left::perhaps_rubble, drawn.mission);
+    limit_some(drawn.map, drawn.mission);
+    for (Agent& agent : drawn.mission.agents) {
+        if (agent.kind == AgentKind::air) continue;
+        agent.start = drawn.mission.agents.front().start;
+        agent.weight = *rc::gen::element(0.0, 1.0, 1.0, 2.5, 40.0);
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    return drawn;
+}
+
 // Some time after it began; nothing is reported but that.
 inline Underway any_underway(int side, bool zoned = false, bool batteries = false) {
     Underway drawn = any_planned(side, 2, 1, zoned, batteries, Left::perhaps_rubble);

@@ -124,6 +124,23 @@ RC_GTEST_PROP(Rehearse, OfAnAgentThatOpensItsOwnWayIsAsPlannedWithoutDraws, ()) 
     RC_ASSERT(std::abs(rehearsal.makespan.worst - rehearsal.planned) <= 1e-6 * (1 + rehearsal.planned));
 }
 
+RC_GTEST_PROP(Rehearse, NoRunToManyPlacesIsIllegal, ()) {
+    expect_legal(any_places(12, 2));
+}
+
+RC_GTEST_PROP(Rehearse, ManyPlacesAreReachedAsPlannedWithoutDraws, ()) {
+    const Rehearsable drawn = any_places(12, 2);
+    const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
+    RC_ASSERT(faults(rehearsal) == "");
+    RC_ASSERT(rehearsal.arrived == 1);
+    RC_CLASSIFY(rehearsal.unreached_planned > 0, "not all are reached");
+    RC_ASSERT(rehearsal.unreached == rehearsal.unreached_planned);
+    const double later = 1e-6 + drawn.mission.rules.rubble * double(drawn.plan.breaches.size());
+    double weight = 0;
+    for (const Agent& agent : drawn.mission.agents) weight += agent.weight;
+    RC_ASSERT(rehearsal.flowtime.mean <= rehearsal.flowtime_planned * (1 + 1e-9) + later * weight);
+}
+
 // As after a breach that has failed when the aircraft was about to leave.
 TEST(Rehearse, AnAircraftBreachesFromBesideTheCentreOfItsCell) {
     const Map map = Map::from_rows({"..A..", "..A..", "..A.."});

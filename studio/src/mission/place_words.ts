@@ -1,5 +1,4 @@
 // Places that are reached, sooner or not at all, in words.
-import type { AgentDocument } from "../domain/agent_document";
 import { plainName } from "../domain/plain_name";
 import type { Agent, Plan } from "../domain/plan";
 import type { PlaceState, Reach } from "../domain/reach";
@@ -38,9 +37,4 @@ export function reachWords({ states }: Reach): string {
   const others = missed.length > mostNamed ? ` and ${missed.length - mostNamed} more` : "";
   const not = missed.length > 0 ? ` Not reached: ${named}${others}.` : "";
   return `${[`${who} reached`, ...gains].join(", ")}.${not}`;
-}
-
-// Whether arrivals count by weights: then their sum says nothing to anyone, but their average does.
-export function isWeighed({ mission }: Plan): boolean {
-  return ((mission?.agents ?? []) as AgentDocument[]).some(({ weight = 1 }) => weight !== 1);
 }

@@ -3,9 +3,9 @@ import { type Agents, canOpen } from "../domain/agents";
 import { plainName } from "../domain/plain_name";
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
+import { isWeighed } from "../domain/weights";
 import { arrival } from "../play/motion";
 import { isNegligible } from "./gain";
-import { isWeighed } from "./place_words";
 import { asGood, counted, type Headline, isProven, soFar, type Telling, unasked } from "./words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.

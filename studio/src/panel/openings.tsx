@@ -43,7 +43,7 @@ function changes({ editor }: Studio, index: number) {
   return { set, onDone: () => editor.endGesture() };
 }
 
-// Labelled as those of the rules, which hold where nothing is said.
+// In place of those of the rules, which hold where nothing is said.
 function Times({ studio, index }: Props) {
   const mission = studio.page.mission.value!;
   const { breachTime, breachTimePerCell } = mission.agents[index]!;
@@ -54,7 +54,7 @@ function Times({ studio, index }: Props) {
   return (
     <>
       <NumberField
-        label="Time to open one"
+        label="Its own time to open one"
         {...time}
         value={breachTime}
         empty={numberText(mission.breachTime)}

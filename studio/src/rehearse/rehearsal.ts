@@ -5,6 +5,7 @@ import type { RevisionAnswer } from "../api/documents";
 import type { Cell, Point } from "../domain/geometry";
 import { objectiveOf, type Plan, type TimedPoint, valueOf } from "../domain/plan";
 import type { Rehearsed } from "../domain/rehearsed";
+import { averagedOver } from "../domain/weights";
 import type { Clock } from "../play/clock";
 import { duration, positionAt } from "../play/motion";
 import { knownAt, type News } from "./news";
@@ -166,7 +167,10 @@ export class Rehearsal {
       now,
       failed: news.kind === "failed" ? news.obstacle : null,
     });
-    const value = (of: Plan) => valueOf(of.after, objectiveOf(of));
+    const value = (of: Plan) => {
+      const sum = valueOf(of.after, objectiveOf(of));
+      return sum === null ? null : sum / averagedOver(of);
+    };
     return { news, now, said, answer, before, story, was: value(plan), is: answer.plan && value(answer.plan) };
   }
 
@@ -192,9 +196,8 @@ export function isRehearsable(plan: Plan | null): boolean {
 }
 
 // What cannot be planned anew on its way, in words; null where all of it can.
-export function whyNotRehearsed({ options, mission }: Plan): string | null {
+export function whyNotRehearsed({ options }: Plan): string | null {
   if (options.timing === "ignore") return "Plans whose timing is ignored cannot be rehearsed: they enter what still stands.";
-  if (mission?.rules?.collisions === false) return "Missions whose vehicles pass through each other cannot be rehearsed.";
   return null;
 }
 

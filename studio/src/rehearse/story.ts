@@ -18,10 +18,12 @@ export function storyOf({ before, driven, next, now, failed }: Chapter): Plan {
     const past = own ? [...until(agent, own[0]![2]), ...until({ path: own }, now)] : until(agent, now);
     const ahead = next?.agents.find(({ id }) => id === agent.id);
     const path = tidy([...past, ...(ahead?.path ?? [])]);
+    const { reached, ...same } = agent;
+    const left = (ahead ?? agent).reached === false;
     const lost = agent.lost || (next !== null && !ahead);
     const waits = [...partsUntil(agent.waits, now), ...(ahead?.waits ?? [])];
     const recharges = goneOn(partsUntil(agent.recharges, now), ahead?.recharges ?? []);
-    return { ...agent, path, ...(lost && { lost }), waits, recharges };
+    return { ...same, path, ...(left && { reached: false }), ...(lost && { lost }), waits, recharges };
   });
   return {
     ...before,

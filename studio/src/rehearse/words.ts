@@ -1,6 +1,8 @@
 // What happened and what it costs, in one sentence: what the person reads first.
+import { plainName } from "../domain/plain_name";
 import { objectiveOf } from "../domain/plan";
 import { clockTime, difference, duration, type Units } from "../domain/units";
+import { isWeighed } from "../domain/weights";
 import { nameOf } from "../play/story";
 import type { News } from "./news";
 import type { Step } from "./rehearsal";
@@ -33,11 +35,22 @@ export function costWords(step: Step, units: Units): string {
   if (is === null || was === null) return withoutPlan(step, units);
   const isSum = objectiveOf(step.before) === "flowtime";
   const change = changeWords(was, is, units);
+  if (isSum && isWeighed(step.before)) return averageWords(step, change, clockTime(is, units));
   if (isSum) return `together the agents need ${change ?? "no longer"}, ${clockTime(is, units)}`;
   const subject = objectiveOf(step.before) === "ground-makespan" ? "the last vehicle arrives" : "the mission ends";
   if (change) return `${subject} ${change}, at ${clockTime(is, units)}`;
   const how = answer.status === "kept" ? "the plan holds, and " : "";
   return `${how}${subject} at ${clockTime(is, units)}, no later than before`;
+}
+
+// “the weighted average arrival is 1 min 10 s later, at 6:05; yard is no longer reached”
+function averageWords({ before, story }: Step, change: string | null, at: string): string {
+  const average = `the weighted average arrival is ${change ? `${change}, at ${at}` : `at ${at}, no later than before`}`;
+  const wasReached = new Set(before.agents.flatMap(({ id, reached }) => (reached === false ? [] : [id])));
+  const left = story.agents.filter(({ id, reached }) => reached === false && wasReached.has(id)).map(({ id }) => plainName(id));
+  if (left.length === 0) return average;
+  const who = left.length > 2 ? `${left.length} places` : left.join(" and ");
+  return `${average}; ${who} ${left.length === 1 ? "is" : "are"} no longer reached`;
 }
 
 export function stepWords(step: Step, telling: Telling): string {

@@ -1,0 +1,53 @@
+#include "rehearse/outcome.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "model/objective.hpp"
+#include "rehearse/trail.hpp"
+#include "rehearse/zone_faults.hpp"
+
+namespace waybreaker::rehearsal {
+namespace {
+
+// When it was at its goal; of who was not, when all ended.
+double end_of(const Actor& actor, double now) {
+    return actor.phase == Phase::arrived ? actor.arrived_at : now;
+}
+
+// Of a vehicle: not at its goal in time.
+bool is_left(const Actor& actor, const Agent& agent, const Rules& rules, double now) {
+    if (!rules.unreached || actor.kind == AgentKind::air) return false;
+    return actor.at(now) != Point(agent.goal) || end_of(actor, now) > *rules.unreached;
+}
+
+}  // namespace
+
+void sum_up(const Scene& scene, std::vector<Actor> actors, const Events& events, double now, Rehearsed& result) {
+    const Rules& rules = scene.mission.rules;
+    std::vector<std::string> faults;
+    std::vector<Trail> vehicles;
+    Finish finish;
+    for (Actor& actor : actors) {
+        const Agent& agent = scene.mission.agents[actor.number];
+        const bool left = is_left(actor, agent, rules, now);
+        if (left) ++result.unreached;
+        if (actor.phase != Phase::lost)
+            finish.add(actor.kind, left ? *rules.unreached : end_of(actor, now), agent.weight);
+        if (auto fault = zone_fault(rules.zones, actor.trail)) faults.push_back(*std::move(fault));
+        if (actor.kind == AgentKind::ground) vehicles.push_back(std::move(actor.trail));
+    }
+    result.makespan = finish.makespan();
+    result.ground_makespan = finish.ground;
+    result.flowtime = finish.flowtime;
+    const bool stay = rules.at_goal == AtGoal::stay;
+    const auto separation = rules.collisions ? std::optional(rules.separation) : std::nullopt;
+    std::ranges::move(faults_of(scene.map, events, vehicles, separation, stay), std::back_inserter(faults));
+    result.illegal = int(faults.size());
+    if (!faults.empty()) result.fault = faults.front();
+}
+
+}  // namespace waybreaker::rehearsal
