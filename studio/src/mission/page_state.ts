@@ -67,8 +67,8 @@ export class PageState {
   readonly played = computed<Plan | null>(() => this.rehearsed.value?.plan ?? this.results.plans.value.after?.plan ?? null);
 
   readonly reach = computed<Reach | null>(() => {
-    const { after, before } = this.results.plans.value;
-    return after ? reachOf(after.plan, before?.plan ?? null) : null;
+    const plan = this.played.value;
+    return plan ? reachOf(plan, this.results.plans.value.before?.plan ?? null) : null;
   });
 
   readonly bands: Signal<Bands | null> = signal(null); // of time, of the last plan that they were asked for

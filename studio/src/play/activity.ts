@@ -1,6 +1,6 @@
 // What happens when, as spans and moments of a timeline.
 import type { Agent, Plan } from "../domain/plan";
-import { arrival, breachOrder, positionAt, waits } from "./motion";
+import { breachOrder, positionAt, waits, wayOf } from "./motion";
 import { nameOf, type Story } from "./story";
 
 export interface Span {
@@ -40,7 +40,6 @@ export function lanes(plan: Plan): Lane[] {
 }
 
 function spans(agent: Agent): Span[] {
-  if (agent.reached === false) return [];
   const found: Span[] = [];
   let at = agent.path[0]?.[2] ?? 0;
   const move = (until: number): void => {
@@ -51,7 +50,7 @@ function spans(agent: Agent): Span[] {
     found.push({ kind: "wait", from, until });
     at = until;
   }
-  move(arrival(agent));
+  move(wayOf(agent).at(-1)?.[2] ?? 0);
   return found;
 }
 

@@ -68,13 +68,22 @@ export function partOf(agent: Pick<Agent, "path">, from: number, until: number):
   return [...ends[0]!, ...path.filter(([, , t]) => from < t && t < until).map(([x, y]): Point => [x, y]), ...ends[1]!];
 }
 
-// Stops on the way, each whole even where the path has points within it. Who is not reached is on no way.
+// Until it stands for good: who is not reached stays where it is, at its start unless the plan has changed, for as long as
+// that counts.
+export function wayOf({ path, reached }: Pick<Agent, "path" | "reached">): Agent["path"] {
+  if (reached !== false) return path;
+  const [x, y] = path.at(-1) ?? [];
+  const moved = path.findLastIndex(([px, py]) => px !== x || py !== y);
+  return path.slice(0, moved + 2);
+}
+
+// Stops on the way, each whole even where the path has points within it.
 export function waits(agent: Agent): Wait[] {
-  if (agent.reached === false) return [];
+  const path = wayOf(agent);
   const found: Wait[] = [];
-  for (let i = 0; i + 1 < agent.path.length; ++i) {
-    const [x, y, from] = agent.path[i]!;
-    const [nx, ny, until] = agent.path[i + 1]!;
+  for (let i = 0; i + 1 < path.length; ++i) {
+    const [x, y, from] = path[i]!;
+    const [nx, ny, until] = path[i + 1]!;
     if (x !== nx || y !== ny || until <= from) continue;
     const last = found.at(-1);
     if (last && last.until === from && last.at[0] === x && last.at[1] === y) last.until = until;
@@ -88,9 +97,8 @@ export function arrival(agent: Agent): number {
   return agent.path.at(-1)?.[2] ?? 0;
 }
 
-// Who is not reached stays at its start for as long as that counts.
 export function duration(plan: Plan): number {
-  return Math.max(0, ...plan.agents.filter(({ reached }) => reached !== false).map(arrival));
+  return Math.max(0, ...plan.agents.map((agent) => wayOf(agent).at(-1)?.[2] ?? 0));
 }
 
 export function clearedAt(plan: Plan, t: number): Removed[] {

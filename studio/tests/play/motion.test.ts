@@ -113,6 +113,15 @@ describe("a plan", () => {
     ]);
   });
 
+  it("shows of who is not reached what it drove before that was known", () => {
+    const [first, second] = plan.agents as [Agent, Agent];
+    const left: Agent = { ...first, reached: false, path: [[0, 0, 0], [3, 0, 3], [3, 0, 4], [3, 0, 60]] };
+    const never: Agent = { ...second, reached: false, path: [[0, 0, 0], [0, 0, 60]] };
+    expect(duration({ ...plan, agents: [left, never] })).toBe(3);
+    expect(lanes({ ...plan, agents: [left, never] }).map(({ spans }) => spans)).toEqual([[{ kind: "move", from: 0, until: 3 }], []]);
+    expect(waits(left)).toEqual([]);
+  });
+
   it("of a team has a number in the lane of the aircraft that breaches, and nobody's entry", () => {
     const [one, two] = plan.agents;
     const agents = [{ ...two!, id: "air1" }, { ...two!, id: "air2" }, { ...one!, id: "1" }];
