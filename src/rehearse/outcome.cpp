@@ -35,8 +35,8 @@ void sum_up(const Scene& scene, std::vector<Actor> actors, const Events& events,
         const Agent& agent = scene.mission.agents[actor.number];
         const bool left = is_left(actor, agent, rules, now);
         if (left) ++result.unreached;
-        if (actor.phase != Phase::lost)
-            finish.add(actor.kind, left ? *rules.unreached : end_of(actor, now), agent.weight);
+        const double ended = left ? rules.unreached.value_or(now) : end_of(actor, now);
+        if (actor.phase != Phase::lost) finish.add(actor.kind, ended, agent.weight);
         if (auto fault = zone_fault(rules.zones, actor.trail)) faults.push_back(*std::move(fault));
         if (actor.kind == AgentKind::ground) vehicles.push_back(std::move(actor.trail));
     }
