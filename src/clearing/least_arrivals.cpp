@@ -1,20 +1,14 @@
 #include "clearing/least_arrivals.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "clearing/tuning.hpp"
+#include "map/gap.hpp"
 #include "model/objective.hpp"
 
 namespace waybreaker::clearing {
 namespace {
-
-double distance_to(const Box& box, Point p) {
-    const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
-    const double dy = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
-    return std::hypot(dx, dy);
-}
 
 std::vector<ObstacleId> obstacles_in(std::span<const TimedOpening> openings) {
     std::vector<ObstacleId> ids;
@@ -81,7 +75,7 @@ double LeastArrivals::arrival(std::size_t vehicle, std::span<const TimedOpening>
     // Through one of them, once that is open, or around all.
     double through = infinity;
     for (const TimedOpening& opening : removed) {
-        const double beyond = distance_to(map_.obstacle(opening.obstacle).bounds, agent.goal) - agent.body.reach() - 1;
+        const double beyond = gap(map_.obstacle(opening.obstacle).bounds, agent.goal) - agent.body.reach() - 1;
         through = std::min(through, opening.at + std::max(beyond, 0.0) / agent.speed);
     }
     if (through <= past_all) return past_all;
