@@ -34,6 +34,11 @@ void Evaluation::evaluate_whole(const Set& set) {
     if (is_new(all)) add(sorties_.plan(all, all, reached()));
 }
 
+void Evaluation::evaluate_as_own(std::size_t vehicle, const Candidate& own) {
+    Draft draft = sorties_.plan_as_own(with_forced(own.opening.removed), vehicle, own);
+    if (draft.cost.first < reached() * (1 - rounding)) add(std::move(draft));
+}
+
 void Evaluation::evaluate_carefully(const Set& set, std::uint64_t enough) {
     add(sorties_.plan(with_forced(set), problem_.forced(), reached(), enough));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coalition/sorties.hpp"
+#include "select/candidate.hpp"
 
 namespace waybreaker::coalition {
 
@@ -22,6 +23,8 @@ class Evaluation {
     void evaluate_growing(const Set& set);
     // Evaluates a set and drops nothing of it, though nobody drive through it.
     void evaluate_whole(const Set& set);
+    // Evaluates what a vehicle's own mission removes again, as that mission has it.
+    void evaluate_as_own(std::size_t vehicle, const Candidate& own);
     // Evaluates it again, with the care of SortiePlanner::plan until so much effort is spent.
     void evaluate_carefully(const Set& set, std::uint64_t enough);
     std::uint64_t effort() const { return ways_.effort(); }

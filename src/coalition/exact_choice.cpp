@@ -1,13 +1,16 @@
 #include "coalition/exact_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "coalition/all_sets.hpp"
 #include "coalition/joint.hpp"
+#include "coalition/own_mission.hpp"
 #include "coalition/restricted_master.hpp"
 #include "coalition/tuning.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker::coalition {
 void ExactChoice::run() {
@@ -16,6 +19,7 @@ void ExactChoice::run() {
     if (none) try_for_own_bodies();
     try_jointly();
     if (!none && !is_within(tuning::gap_for_own_bodies)) try_for_own_bodies();
+    try_own_missions();
     if (!is_within(tuning::gap_of_choice)) try_all();
 }
 
@@ -65,6 +69,64 @@ void ExactChoice::try_for_own_bodies() {
     RestrictedMaster master(problem_, own);
     evaluation_.evaluate(master.best_from({}));
     evaluation_.evaluate(master.best_from(most_wanted()));
+}
+
+// The vehicle that decides the objective, and another one where that changes who does.
+void ExactChoice::try_own_missions() {
+    std::vector<char> asked(columns_.size(), false);
+    while (!is_within(tuning::gap_for_own_mission) && !due()) {
+        const std::optional<std::size_t> vehicle = decisive();
+        if (!vehicle || asked[*vehicle]) return;
+        asked[*vehicle] = true;
+        const OwnMission own = plan_own_mission(problem_, *vehicle, workers_.own());
+        const double others = least_of_others(*vehicle);
+        const double unreached = problem_.sums() ? infinity : problem_.unreached(*vehicle);
+        if (const double proven = std::min({own.bound + others, unreached, reached()}); std::isfinite(proven))
+            bound_ = std::max(bound_, proven);
+        for (const OwnMission::Proposal& proposal : own.proposals) {
+            const auto promises = [&] { return proposal.objective + others < reached() * (1 - rounding); };
+            if (!promises() || due()) break;
+            evaluation_.evaluate(proposal.candidate.opening.removed);
+            if (promises()) evaluation_.evaluate_as_own(*vehicle, proposal.candidate);
+        }
+    }
+}
+
+// The vehicle that is last in the incumbent; of a sum, the one that may gain most, if its own mission counts what the
+// sum does.
+std::optional<std::size_t> ExactChoice::decisive() const {
+    std::optional<std::size_t> decisive;
+    double most = 0;
+    double all = 0;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Pool& pool = columns_.of(i);
+        const double closed = pool.columns.front().arrival;
+        double time = closed;
+        if (!evaluation_.drafts().empty()) {
+            const Draft& draft = evaluation_.drafts().front();
+            time = arrival(*problem_.vehicles()[i], draft.taken[i], draft.openings);
+        }
+        const double counts =
+            problem_.sums() ? weighted(problem_.weight(i), std::max(time, closed) - pool.least) : time;
+        if (counts > most) decisive = i;
+        most = std::max(most, counts);
+        all += counts;
+    }
+    if (!problem_.sums() || !decisive) return decisive;
+    if (std::isfinite(most) && most < tuning::least_share_of_own_mission * all) return std::nullopt;
+    const auto counts_once = [](const Agent* agent) { return agent->weight == 1; };
+    const bool is_part = counts_once(problem_.vehicles()[*decisive]) && std::isinf(problem_.unreached(*decisive)) &&
+                         std::ranges::all_of(problem_.aircraft(), counts_once);
+    return is_part ? decisive : std::nullopt;
+}
+
+// What a sum counts beside a vehicle's own mission, at least.
+double ExactChoice::least_of_others(std::size_t vehicle) const {
+    double least = 0;
+    for (std::size_t i = 0; problem_.sums() && i < columns_.size(); ++i) {
+        if (i != vehicle) least += weighted(problem_.weight(i), columns_.of(i).least);
+    }
+    return least;
 }
 
 // With more care than before, as long as that takes little. Of more sets, the first that has a plan, if none had.

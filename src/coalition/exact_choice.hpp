@@ -1,6 +1,9 @@
 // Exact choice: evaluates the sets that a relaxation points to, and bounds all others.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "coalition/evaluation.hpp"
 #include "coalition/relaxation.hpp"
 
@@ -30,6 +33,9 @@ class ExactChoice {
     void improve_prices();
     void try_jointly();
     void try_for_own_bodies();
+    void try_own_missions();
+    std::optional<std::size_t> decisive() const;
+    double least_of_others(std::size_t vehicle) const;
     void try_all();
     Set most_wanted() const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coalition/tuning.hpp"
+#include "drive/opening.hpp"
 #include "model/objective.hpp"
 
 namespace waybreaker::coalition {
@@ -37,7 +38,7 @@ bool Greedy::take_next() {
     return true;
 }
 
-// By the relaxed body where the square of a wide disc needs more room than the disc.
+// By the relaxed body where the square does not stand for the disc.
 Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     Arrivals found;
@@ -48,7 +49,7 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
     const Set removed = united(problem_.forced(), taken_);
     CrossingOptions options;
     options.body = agent.body;
-    options.relaxed = team::is_wide(agent.body);
+    options.relaxed = !square_stands_for(agent.body);
     options.removed = removed;
     options.protect = problem_.rules().protect;
     options.budget = budget_;

@@ -37,6 +37,32 @@ Draft SortiePlanner::plan(Set set, const Set& kept, double worth, std::uint64_t 
     }
 }
 
+Draft SortiePlanner::plan_as_own(const Set& set, std::size_t vehicle, const Candidate& own) {
+    Draft draft = best_for(set);
+    if (!ways_.add(vehicle, set, own.opening.ground.path, workers_.own())) return draft;
+    draft = best_for(set);
+    Draft as_own = draft;
+    as_own.sorties = sorties_of(own, set);
+    if (rank(as_own) && team::better(as_own.cost, draft.cost)) {
+        fill(as_own);
+        draft = std::move(as_own);
+    }
+    return draft;
+}
+
+// In the positions of the set. Empty tours where they do not breach all of it.
+Sorties SortiePlanner::sorties_of(const Candidate& candidate, const Set& set) const {
+    Sorties sorties(problem_.aircraft().size());
+    if (candidate.schedule.breaches.size() != flown_) return sorties;
+    std::vector<TimedBreach> breaches = candidate.schedule.breaches;
+    std::ranges::stable_sort(breaches, {}, &TimedBreach::cleared_at);
+    for (const TimedBreach& breach : breaches) {
+        const auto target = std::ranges::lower_bound(set, breach.obstacle) - set.begin();
+        sorties[breach.aircraft].push_back({std::size_t(target), breach.at});
+    }
+    return search().with_landings(std::move(sorties));
+}
+
 // Each aircraft flies to the nearest cell each time. The ways for these times are among the others from then on.
 void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
     const Set set = draft.set;

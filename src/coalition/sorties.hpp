@@ -11,6 +11,7 @@
 #include "coalition/ways.hpp"
 #include "schedule/precedence.hpp"
 #include "schedule/sorties.hpp"
+#include "select/candidate.hpp"
 #include "team/fleet.hpp"
 
 namespace waybreaker::coalition {
@@ -36,6 +37,9 @@ class SortiePlanner {
     // `worth`: what it should cost less than; else no effort is made. Until ways have taken `enough` effort, they are
     // looked for in the times of every order in which the aircraft may work, too.
     Draft plan(Set set, const Set& kept, double worth, std::uint64_t enough = 0);
+    // The best of those that insert obstacles, where that vehicle may drive as in its own mission, and the sorties of
+    // that mission. Nothing is left out.
+    Draft plan_as_own(const Set& set, std::size_t vehicle, const Candidate& own);
 
   private:
     void prepare(const Set& set);
@@ -47,6 +51,7 @@ class SortiePlanner {
     double could_cost(const Draft& draft) const;
     void try_all_orders(Draft& draft, double worth, std::uint64_t enough);
     bool find_timed_ways(const Draft& draft, bool thorough);
+    Sorties sorties_of(const Candidate& candidate, const Set& set) const;
     std::vector<std::size_t> by_need() const;
 
     const Problem& problem_;

@@ -35,6 +35,10 @@ inline constexpr double farthest_aim = 1.1;
 inline constexpr double gap_for_prices = 6e-3;
 // Gap above which sets are looked for that only the vehicles' own bodies need.
 inline constexpr double gap_for_own_bodies = 5e-3;
+// Gap above which the planner of one vehicle plans the one that decides, as if it were the only one.
+inline constexpr double gap_for_own_mission = 2e-3;
+// Of a sum: where that vehicle has at least this share of what all vehicles may gain.
+inline constexpr double least_share_of_own_mission = 0.5;
 // Gap at which the choice ends.
 inline constexpr double gap_of_choice = 1e-3;
 // Share of the incumbent: columns that cost up to so much more than the best are enumerated for branch and bound.

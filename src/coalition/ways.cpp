@@ -111,15 +111,16 @@ Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Worker& worker) {
         menu.complete = set.empty();
         return menu;
     }
-    if (team::is_wide(closed.agent.body)) {
-        search_wide(vehicle, set, menu, worker);
+    const Body& body = closed.agent.body;
+    if (team::drives_by_crossing(body)) {
+        if (square_stands_for(body)) {
+            search_crossing(vehicle, set, menu, worker);
+        } else {
+            search_each(vehicle, set, menu, worker);
+        }
         return menu;
     }
-    if (team::drives_by_crossing(closed.agent.body)) {
-        search_crossing(vehicle, set, menu, worker);
-        return menu;
-    }
-    const SearchOptions options{.body = closed.agent.body, .limits = problem_.interrupts().limits()};
+    const SearchOptions options{.body = body, .limits = problem_.interrupts().limits()};
     const OpenedMap opened(problem_.map(), set);
     const SearchResult found = worker.theta.find(opened, closed.agent.start, closed.agent.goal, options);
     if (found.status != SearchStatus::found) return menu;
@@ -165,11 +166,13 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Work
     }
 }
 
-// As in a mission of its own, for each set that gains for the square or for the relaxed body: the disc fits where its
-// square does not.
-void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker) {
+// As in a mission of its own, for each set that gains for the square or for the relaxed body, and for all of it: the
+// disc fits where its square does not.
+void Ways::search_each(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker) {
     std::vector<Set> sets = gaining(vehicle, set, false, menu, worker);
-    for (Set& other : gaining(vehicle, set, true, menu, worker)) {
+    std::vector<Set> others = gaining(vehicle, set, true, menu, worker);
+    others.push_back(set);
+    for (Set& other : others) {
         if (std::ranges::find(sets, other) == sets.end()) sets.push_back(std::move(other));
     }
     const Agent& agent = closed_[vehicle].agent;
@@ -250,6 +253,15 @@ bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openi
     }
     if (!best) return false;
     known_[vehicle][part].ways.push_back(std::move(*best));
+    return true;
+}
+
+bool Ways::add(std::size_t vehicle, const Set& set, std::span<const Point> path, Worker& worker) {
+    const Agent& agent = closed_[vehicle].agent;
+    if (!team::drives_by_crossing(agent.body) || path_length(path) > longest(vehicle)) return false;
+    of(vehicle, set, worker);
+    const Set part = near(vehicle, set);
+    known_[vehicle][part].ways.push_back(way_of(agent, path, part));
     return true;
 }
 

@@ -49,6 +49,10 @@ class Ways {
     bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before, bool thorough,
                     Worker& worker);
 
+    // Has a path of the vehicle's own mission among its ways through that set. Not where it is longer than the way past
+    // all obstacles, or the vehicle is none that the crossing search drives. Whether it has.
+    bool add(std::size_t vehicle, const Set& set, std::span<const Point> path, Worker& worker);
+
     // Of all that was done so far: labels of searches and paths judged, as many as take as long.
     std::uint64_t effort() const { return std::accumulate(effort_.begin(), effort_.end(), std::uint64_t{0}); }
 
@@ -63,7 +67,7 @@ class Ways {
     Menu search(std::size_t vehicle, const Set& set, Worker& worker);
     CrossingOptions options_for(std::size_t vehicle, const Set& set) const;
     void search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker);
-    void search_wide(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker);
+    void search_each(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker);
     std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Worker& worker);
     std::vector<Way> waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before);
     std::optional<Way> search_timed(std::size_t vehicle, const Set& part, const Openings& openings,

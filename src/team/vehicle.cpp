@@ -99,10 +99,6 @@ bool drives_by_crossing(const Body& body) {
     return body.corners == Corners::none && body.radius > 0;
 }
 
-bool is_wide(const Body& body) {
-    return drives_by_crossing(body) && body.reach() > 0.5;
-}
-
 Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts, double rubble) {
     const Algorithm planner = drives_by_crossing(agent.body) ? Algorithm::optimal : Algorithm::theta;
     return {map,

@@ -50,8 +50,6 @@ struct Interrupts {
 
 // Whether the crossing search drives such a body: for a point it bends at corners of cells.
 bool drives_by_crossing(const Body& body);
-// A disc that does not fit into the unit square.
-bool is_wide(const Body& body);
 
 // The agent on its way, as in a mission of its own: by the crossing search if that drives it, else by Theta*.
 Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts, double rubble);
