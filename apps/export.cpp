@@ -64,8 +64,8 @@ void run(const ExportOptions& options) {
     validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
         throw InputError(
-            "nothing to write: give --geojson, --csv, --ros-path, --ros-parts, --opened-map, --xml, --gpx, --kml, "
-            "--qgc, --vda5050 or --html");
+            "nothing to write: give --geojson, --csv, --ros-path, --ros-parts, --opened-map, --xml, --reach, --gpx, "
+            "--kml, --qgc, --vda5050 or --html");
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);

@@ -51,8 +51,8 @@ const std::array<Suffix, 32> suffixes{{{".json", {"--json", "--save-mission", "-
                                        {".pdf", {}},
                                        {".map", {"--opened-map"}},
                                        {".pgm", {"--opened-map"}},
-                                       {".tif", {"--opened-map"}},
-                                       {".tiff", {"--opened-map"}}}};
+                                       {".tif", {"--opened-map", "--reach"}},
+                                       {".tiff", {"--opened-map", "--reach"}}}};
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "authors/plan_xml.hpp"
 #include "format_losses.hpp"
 #include "geotiff/georeference.hpp"
+#include "geotiff/time_tiff.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_ros_path.hpp"
 #include "mapfile/map_info.hpp"
 #include "mapfile/map_writer.hpp"
 #include "mapfile/relabelled_map.hpp"
+#include "mission/reach.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
 
@@ -26,6 +29,21 @@ std::vector<mapfile::OutputFile> opened_map(const std::string& path, const Plan&
     mapfile::WrittenMap written = mapfile::write_map(mapfile::without_obstacles(map, removed), path);
     report_losses(path, written.losses);
     return std::move(written.files);
+}
+
+std::string reach_tiff(const Plan& plan, const io::MapFile& map, const io::MissionDocument& asked) {
+    const std::optional<Reach> reach = reach_of(map.map, asked.mission, plan);
+    if (!reach) {
+        throw InputError(
+            "--reach is for missions with one start and many goals, or many starts and one goal, whose vehicles do not "
+            "collide, as waybreaker missions access makes them");
+    }
+    return geotiff::time_tiff_bytes({.width = map.map.width(),
+                                     .height = map.map.height(),
+                                     .cell_size = map.cell_size,
+                                     .georeference = map.georeference,
+                                     .origin = map.origin,
+                                     .bands = {{"before", reach->before}, {"after", reach->after}}});
 }
 
 }  // namespace
@@ -46,6 +64,9 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--opened-map", exports.opened_map,
              "Write the map after the removals, in the format that the file's name ends in, as waybreaker map convert");
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
+    add_file(command, "--reach", exports.reach,
+             "Of a mission with many places: write by when each cell is reached, before and after the removals, as two "
+             "bands of a GeoTIFF");
     add_field_exports(command, exports.field);
 }
 
@@ -56,9 +77,13 @@ void validate(const PlanExports& exports) {
 }
 
 NamedFiles named_outputs(const PlanExports& exports) {
-    NamedFiles outputs{{"--geojson", exports.geojson},       {"--csv", exports.csv},
-                       {"--ros-path", exports.ros_path},     {"--ros-parts", exports.ros_parts},
-                       {"--opened-map", exports.opened_map}, {"--xml", exports.xml}};
+    NamedFiles outputs{{"--geojson", exports.geojson},
+                       {"--csv", exports.csv},
+                       {"--ros-path", exports.ros_path},
+                       {"--ros-parts", exports.ros_parts},
+                       {"--opened-map", exports.opened_map},
+                       {"--xml", exports.xml},
+                       {"--reach", exports.reach}};
     std::ranges::move(named_outputs(exports.field), std::back_inserter(outputs));
     return outputs;
 }
@@ -78,6 +103,7 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
         const SearchOptions search = search_options(asked.method, asked.mission.ground_body());
         files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
     }
+    if (!exports.reach.empty()) files.emplace_back(exports.reach, reach_tiff(plan, map, asked));
     if (!exports.opened_map.empty()) {
         for (mapfile::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
             files.emplace_back(std::move(file.path), std::move(file.bytes));

@@ -24,6 +24,7 @@ struct PlanExports {
     std::optional<double> step;  // of ROS paths, in metres
     std::string opened_map;
     std::string xml;
+    std::string reach;
     FieldExports field;
 };
 

@@ -91,14 +91,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
         driver.Create(memory.path().c_str(), width, height, 1, short_ids ? GDT_UInt16 : GDT_UInt32, options.List()));
     if (!file) throw InputError("cannot make a GeoTIFF: " + gdal.failure());
 
-    const auto [west, south] = tiff.origin.value_or(std::array<double, 2>{});
-    std::array<double, 6> transform{west, tiff.cell_size, 0, south + height * tiff.cell_size, 0, -tiff.cell_size};
-    if (tiff.georeference) {
-        transform = tiff.georeference->transform;
-        const OGRSpatialReference system(tiff.georeference->crs.c_str());
-        file->SetSpatialRef(&system);
-    }
-    file->SetGeoTransform(transform.data());
+    write_place(*file, {tiff.cell_size, tiff.georeference, tiff.origin});
     file->SetMetadataItem("TIFFTAG_SOFTWARE", "waybreaker");
     const auto set = [&](const char* item, const std::string& text) {
         if (!text.empty()) file->SetMetadataItem(item, text.c_str());

@@ -171,4 +171,16 @@ RasterPlace read_place(GDALDataset& file, const std::string& name) {
     return place;
 }
 
+void write_place(GDALDataset& file, const RasterPlace& place) {
+    const auto [west, south] = place.origin.value_or(std::array<double, 2>{});
+    const double north = south + file.GetRasterYSize() * place.cell_size;
+    Transform transform{west, place.cell_size, 0, north, 0, -place.cell_size};
+    if (place.georeference) {
+        transform = place.georeference->transform;
+        const OGRSpatialReference system(place.georeference->crs.c_str());
+        file.SetSpatialRef(&system);
+    }
+    file.SetGeoTransform(transform.data());
+}
+
 }  // namespace waybreaker::geotiff

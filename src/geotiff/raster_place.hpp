@@ -22,5 +22,7 @@ struct RasterPlace {
 // Throws InputError (name and remedy) unless cells are square and north-up, and lengths in the coordinate system are
 // those on the ground: in degrees they are not, nor in Web Mercator.
 RasterPlace read_place(GDALDataset& file, const std::string& name);
+// Has a file lie there.
+void write_place(GDALDataset& file, const RasterPlace& place);
 
 }  // namespace waybreaker::geotiff
