@@ -6,6 +6,7 @@
 #include <string>
 
 #include "any_coalition.hpp"
+#include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "coalition/tuning.hpp"
 #include "waybreaker/planner.hpp"
@@ -38,6 +39,22 @@ Mission any_mission_of_one(const PlainMap& plain, const Map& map) {
     std::erase_if(mission.agents, [](const Agent& agent) { return agent.kind == AgentKind::ground; });
     mission.agents.push_back(driver);
     return mission;
+}
+
+// The sorties that insertion and exchange find end at 4.
+TEST(OwnMission, LendsItsSorties) {
+    const Map map = map_from_ascii("..aa.b.ccc");
+    Mission mission{
+        {vehicle("one", {6, 0}, {0, 0}), aircraft("slow", {5, 0}, {7, 0}), aircraft("fast", {6, 0}, {0, 0}, 3)}};
+    mission.agents[0].speed = 3;
+    mission.agents[2].breaches = 1;
+    mission.rules.removals = 2;
+    mission.rules.collisions = false;
+    EXPECT_DOUBLE_EQ(*Planner().plan(map, mission).after.makespan, 3);
+    mission.agents.push_back(vehicle("other", {0, 0}, {1, 0}));
+    const Plan plan = Planner().plan(map, mission);
+    EXPECT_DOUBLE_EQ(*plan.after.makespan, 3);
+    EXPECT_EQ(plan_faults(map, mission, plan), "");
 }
 
 RC_GTEST_PROP(OwnMission, WhoNeedsNothingChangesNothing, ()) {
