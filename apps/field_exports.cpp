@@ -76,7 +76,8 @@ void add_field_exports(CLI::App& command, FieldExports& exports) {
         "Write tracks with times, breaches, obstacles until and after they open, and zones, as KML, for Google Earth");
     add_file(command, "--qgc", exports.qgc,
              "Write the flight of each aircraft, and a fence round its no-fly zones, as a .plan file of "
-             "QGroundControl; several aircraft have a file each, their ids before the ending: FILE-ID.plan");
+             "QGroundControl; several aircraft have a file each, their ids before the ending: FILE-ID.plan; one that "
+             "recharges a file for each flight: FILE-1.plan");
     add_file(command, "--vda5050", exports.vda5050,
              "Write orders of VDA 5050 3.0 for the vehicles, released up to each opening, and zones of what opens "
              "and what they keep out of, as JSON");

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "geotiff/georeference.hpp"
 #include "help.hpp"
+#include "io/agent_json.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
 #include "io/mission_json.hpp"
@@ -100,6 +101,21 @@ const Destination& nearest(const std::vector<Destination>& all, Cell to, const O
     return *best;
 }
 
+std::string aircraft_id(const MissionsAccessOptions& options, int number) {
+    return options.aircraft == 1 ? "air" : fmt::format("air{}", number);
+}
+
+// The name, cut where it would be too long for an id with the number behind it.
+std::string numbered(std::string name, int number) {
+    const std::string behind = fmt::format(" ({})", number);
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };  // a character
+    while (name.size() + behind.size() > io::longest_id) {
+        while (continues(name.back())) name.pop_back();
+        name.pop_back();
+    }
+    return name + behind;
+}
+
 Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map) {
     const std::vector<Destination> hospitals = destinations_of(options.from, map);
     const std::vector<Destination> places = destinations_of(options.to, map);
@@ -107,20 +123,21 @@ Mission mission_of(const MissionsAccessOptions& options, const io::MapFile& map)
     Searcher searcher;
     Mission mission;
     std::set<std::string> ids;
+    for (int i = 1; i <= options.aircraft; ++i) ids.insert(aircraft_id(options, i));
     for (const Destination& place : places) {
         const Cell hospital = nearest(hospitals, place.at, closed, searcher).at;
         const std::string number = std::to_string(mission.agents.size() + 1);
         const std::string name = place.name.empty() ? number : place.name;
         std::string id = name;
-        for (int again = 2; !ids.insert(id).second; ++again) id = fmt::format("{} ({})", name, again);
+        for (int again = 2; !ids.insert(id).second; ++again) id = numbered(name, again);
         Agent& agent = mission.agents.emplace_back(options.inbound ? vehicle(id, place.at, hospital)
                                                                    : vehicle(id, hospital, place.at));
         agent.weight = place.weight;
         agent.body.radius = io::usual_radius(map);
     }
     for (int i = 1; i <= options.aircraft; ++i) {
-        Agent& agent = mission.agents.emplace_back(aircraft(options.aircraft == 1 ? "air" : fmt::format("air{}", i),
-                                                            options.base.value_or(hospitals.front().at)));
+        Agent& agent =
+            mission.agents.emplace_back(aircraft(aircraft_id(options, i), options.base.value_or(hospitals.front().at)));
         agent.weight = 0;
     }
     mission.rules.objective = Objective::flowtime;

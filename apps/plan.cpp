@@ -218,6 +218,11 @@ void require_plan(const Plan& plan, const Mission& mission, const Limits& limits
         throw NoPlanFound(
             fmt::format("no plan {} was found, nor that there is none; a smaller --radius may help", way));
     }
+    if (!mission.rules.force.empty() && plan.before.ground().length) {
+        throw NoPlan(
+            "no plan: the aircraft cannot breach all that must be removed and come home; a longer range, or more "
+            "aircraft, may help");
+    }
     const std::size_t removed = plan.breaches.size();
     throw NoPlan(fmt::format("no plan: the ground agent cannot get {}{}", way,
                              removed == 0 ? "" : fmt::format(", even with {} removed obstacles", removed)));

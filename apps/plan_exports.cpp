@@ -35,8 +35,8 @@ std::string reach_tiff(const Plan& plan, const io::MapFile& map, const io::Missi
     const std::optional<Reach> reach = reach_of(map.map, asked.mission, plan);
     if (!reach) {
         throw InputError(
-            "--reach is for missions with one start and many goals, or many starts and one goal, whose vehicles do not "
-            "collide, as waybreaker missions access makes them");
+            "--reach is for plans of vehicles that do not collide, have one speed and radius, and are more than the "
+            "places they start from, or end at, as those of waybreaker missions access mostly are");
     }
     return geotiff::time_tiff_bytes({.width = map.map.width(),
                                      .height = map.map.height(),

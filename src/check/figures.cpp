@@ -38,7 +38,8 @@ class FiguresJudge {
         if (plan_.after.ground().length || plan_.after.makespan || plan_.after.flowtime) {
             report(Rule::status, "figures after removal without agents that reach them");
         }
-        if (plan_.status == PlanStatus::no_plan && plan_.before.ground().length) {
+        // What must be removed may be out of range.
+        if (plan_.status == PlanStatus::no_plan && plan_.before.ground().length && terms_.rules.force.empty()) {
             report(Rule::status, "there is no plan, but a ground path without removals");
         }
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -142,6 +143,22 @@ std::string flight_text(const PlacedPlan& placed, const Itinerary& aircraft, con
     return file.dump(2) + "\n";
 }
 
+// From landing to landing: a file has one take-off and one landing.
+std::vector<Itinerary> flights_of(const Itinerary& aircraft) {
+    std::vector<Itinerary> flights;
+    double from = 0;
+    const auto add_until = [&](double until) {
+        Itinerary& flight = flights.emplace_back(aircraft);
+        std::erase_if(flight.path, [&](const Waypoint& point) { return point.t < from || point.t > until; });
+    };
+    for (const Recharge& recharge : aircraft.recharges) {
+        add_until(recharge.from);
+        from = recharge.until;
+    }
+    add_until(std::numeric_limits<double>::infinity());
+    return flights;
+}
+
 std::string name_for(const std::string& path, const std::string& id) {
     std::string word = id;
     const auto is_plain = [](char c) {
@@ -172,15 +189,23 @@ std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& plac
     }
     if (aircraft.empty() && !placed.plan.agents.empty())
         throw InputError("QGroundControl plans flights, and the plan has no aircraft");
-    if (aircraft.size() > 1 && path == "-")
-        throw InputError("QGroundControl has a file for each aircraft; name one, not standard output");
     std::vector<std::pair<std::string, std::string>> files;
     std::set<std::string> names;
     for (const Itinerary* one : aircraft) {
-        std::string name = aircraft.size() == 1 ? path : name_for(path, one->id);
-        if (!names.insert(name).second)
-            throw InputError(fmt::format("two aircraft have ids that {} would stand for; rename one", name));
-        files.emplace_back(std::move(name), flight_text(placed, *one, breach));
+        const std::vector<Itinerary> flights = flights_of(*one);
+        const bool is_one = aircraft.size() == 1 && flights.size() == 1;
+        if (!is_one && path == "-") {
+            throw InputError(
+                "QGroundControl has a file for each aircraft, and for each of its flights; name one, not standard "
+                "output");
+        }
+        for (std::size_t i = 0; i < flights.size(); ++i) {
+            std::string name = aircraft.size() == 1 ? path : name_for(path, one->id);
+            if (flights.size() > 1) name = name_for(name, std::to_string(i + 1));
+            if (!names.insert(name).second)
+                throw InputError(fmt::format("two aircraft have ids that {} would stand for; rename one", name));
+            files.emplace_back(std::move(name), flight_text(placed, flights[i], breach));
+        }
     }
     return files;
 }

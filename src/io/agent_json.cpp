@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t longest_id = 100;  // characters
-
 // An aircraft may take off anywhere.
 void read_start(const JsonField& field, Agent& agent) {
     const std::vector<JsonField> parts = field.items();

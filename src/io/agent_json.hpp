@@ -1,6 +1,7 @@
 // Agents as missions and states have them: one JSON object each.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,7 +12,8 @@
 
 namespace waybreaker::io {
 
-inline constexpr double most_radius = 32;  // cells
+inline constexpr std::size_t longest_id = 100;  // characters
+inline constexpr double most_radius = 32;       // cells
 
 // Throw InputError that says where in the document what is wrong. Whether the agent fits a map is not asked.
 double read_positive(const JsonField& field);

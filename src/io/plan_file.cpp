@@ -77,7 +77,7 @@ Outcome outcome(const JsonField& field, const Mission& mission) {
     } else {
         result.ground().length = field["ground"]["length"].number_or_null();
         read_search(field["ground"], result.ground());
-        result.air().length = field["air"]["length"].number();
+        result.air().length = field["air"]["length"].number_or_null();
     }
     result.makespan = field["makespan"].number_or_null();
     result.flowtime = field["flowtime"].number_or_null();

@@ -17,9 +17,18 @@ bool is_down(const Itinerary& planned, const Position& position) {
     return position.finished() && position.at == Point(end.x, end.y);
 }
 
+// Whether it breaches from where it begins, which it has begun by now.
+bool breaches_at_start(const Agent& was, const Itinerary& planned, double now) {
+    const auto stays = [&](const Waypoint& a, const Waypoint& b) {
+        return a.x == b.x && a.y == b.y && Point(a.x, a.y) == was.begin() && a.t < now && b.t > was.ready_at + hair;
+    };
+    return std::ranges::adjacent_find(planned.path, stays) != planned.path.end();
+}
+
 // Late at its start, it has not taken off.
-bool has_not_begun(const Agent& was, const Position& position) {
-    return was.flown == 0 && !position.on_time && position.doing != Doing::breaching && position.at == was.begin();
+bool has_not_begun(const Agent& was, const Itinerary& planned, const Position& position, double now) {
+    return was.flown == 0 && !position.on_time && position.doing != Doing::breaching && position.at == was.begin() &&
+           !breaches_at_start(was, planned, now);
 }
 
 // When it has recharged for the last time, by the end of its base.
@@ -46,7 +55,7 @@ double flown_by(const Agent& was, const Itinerary& planned, const Position& posi
     }
     const double landed = position.on_time ? planned.path.back().t : now;
     if (recharged) return std::max((down ? std::min(landed, ready_at) : ready_at) - *recharged, 0.0);
-    const double since = has_not_begun(was, position) ? std::max(was.ready_at, now) : was.ready_at;
+    const double since = has_not_begun(was, planned, position, now) ? std::max(was.ready_at, now) : was.ready_at;
     return was.flown + std::max((down ? std::min(landed, ready_at) : ready_at) - since, 0.0);
 }
 

@@ -44,6 +44,8 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
         if (kept.if_failed) std::erase_if(kept.if_failed->removed, is_open);
         openings.push_back({old.breaches[i].obstacle, old.breaches[i].cleared_at});
     }
+    // Who enters what has opened has taken its time over the rubble.
+    for (TimedOpening& opening : openings) opening.at += left.rules.rubble;
     const Ground ground{known, openings};
     Finish finish;
     rest.after.routes.clear();

@@ -155,20 +155,25 @@ std::vector<Recharge> recharges_on(const Agent& agent, std::span<const Waypoint>
     std::vector<Recharge> recharges;
     if (!agent.recharge) return recharges;
     const std::vector<Cell> bases = bases_of(agent);
-    double off = agent.ready_at - agent.flown;
+    double off = agent.ready_at - agent.flown;  // when it took off
+    bool grounded = agent.flown == 0;
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& from = path[i - 1];
         const Waypoint& until = path[i];
-        const double least = *agent.recharge - 1e-9 * (1 + until.t);
-        if (from.x != until.x || from.y != until.y || from.t < agent.ready_at || until.t - from.t < least) continue;
         const auto is_here = [&](Cell base) { return base.x == from.x && base.y == from.y; };
-        const auto base = std::ranges::find_if(bases, is_here);
         const auto is_this = [&](const Breach& breach) {
             return (breach.by.empty() || breach.by == agent.id) && is_here(breach.at) && breach.cleared_at == until.t;
         };
-        if (base == bases.end() || std::ranges::any_of(breaches, is_this)) continue;
-        recharges.push_back({*base, from.t, until.t, from.t - off});
-        off = until.t;
+        if (from.x != until.x || from.y != until.y || std::ranges::any_of(breaches, is_this)) {
+            grounded = false;
+            continue;
+        }
+        const double least = *agent.recharge - 1e-9 * (1 + until.t);
+        const auto base = std::ranges::find_if(bases, is_here);
+        const bool recharged = base != bases.end() && from.t >= agent.ready_at && until.t - from.t >= least;
+        if (recharged) recharges.push_back({*base, from.t, until.t, from.t - off});
+        grounded = grounded || recharged;
+        if (grounded) off = until.t;  // it waits on the ground
     }
     return recharges;
 }

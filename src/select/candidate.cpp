@@ -46,7 +46,9 @@ bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& openi
     const std::size_t before = opening.removed.size();
     for (std::size_t i = before; i-- > 0;) {
         if (std::ranges::find(task.given, opening.removed[i]) != task.given.end()) continue;
-        if (std::ranges::find(schedule.breaches, opening.removed[i], &TimedBreach::obstacle)->entered_at) continue;
+        // Where the aircraft may not breach all of them, nothing is breached.
+        const auto breach = std::ranges::find(schedule.breaches, opening.removed[i], &TimedBreach::obstacle);
+        if (breach != schedule.breaches.end() && breach->entered_at) continue;
         std::vector<ObstacleId> others = opening.removed;
         others.erase(others.begin() + std::ptrdiff_t(i));
         const OpenedMap map(task.map, others);

@@ -148,6 +148,22 @@ TEST(Abilities, TheOneThatCanOpensTheWall) {
     EXPECT_EQ(Planner().plan(map, mission).status, PlanStatus::no_plan);
 }
 
+// What must be removed only the bulldozer can breach, which has no way.
+TEST(Abilities, NobodyElseBreachesWhatMustBeRemoved) {
+    const Map map = map_from_ascii(R"(
+        ...#.......
+        ...#...##..
+        ...#...##..
+        ...#.......
+        ...#.......)");
+    Mission mission{{vehicle("dozer", {5, 1}, {5, 3}), vehicle("car", {10, 2}, {1, 2}), aircraft("drone", {9, 0})}};
+    mission.agents[0].own_breaches = 1;
+    mission.agents[2].can_breach = CanBreach{.most_cells = 3};
+    mission.rules.removals = 1;
+    mission.rules.force = {{2}};
+    EXPECT_NE(Planner().plan(map, mission).status, PlanStatus::solved);
+}
+
 TEST(Abilities, AreRefusedWhereTheyMeanNothing) {
     const Map map = map_from_ascii("..#.\n....");
     const auto refused = [&](auto change) {

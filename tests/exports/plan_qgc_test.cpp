@@ -172,6 +172,25 @@ TEST_F(PlanQgc, HasAFileForEachAircraft) {
               std::string::npos);
 }
 
+TEST_F(PlanQgc, HasAFileForEachFlightFromLandingToLanding) {
+    const Waypoint start = aircraft->path.front();
+    const Waypoint goal = aircraft->path.back();
+    aircraft->path = {start, {7, 1, 10}, {7, 1, 70}, {goal.x, goal.y, 90}};
+    aircraft->recharges = {{.at = {7, 1}, .from = 10, .until = 70}};
+    plan.breaches.clear();
+    const auto files = plan_qgc(flown(), "flight.plan");
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0].first, "flight-1.plan");
+    EXPECT_EQ(files[1].first, "flight-2.plan");
+    for (const auto& [name, text] : files) {
+        std::vector<int> commands;
+        const Json flight = read_flight(text);
+        for (const Json& item : flight.at("items")) commands.push_back(item.at("command"));
+        EXPECT_EQ(commands, (std::vector<int>{22, 178, 16, 21})) << name;
+    }
+    EXPECT_NE(input_error([&] { plan_qgc(flown(), "-"); }).find("each of its flights"), std::string::npos);
+}
+
 TEST_F(PlanQgc, RefusesWhatCannotBeFlown) {
     EXPECT_NE(input_error([&] { plan_qgc(placed(), "a.plan"); }).find("--altitude"), std::string::npos);
     plan.revised = Revised{};

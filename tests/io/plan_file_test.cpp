@@ -296,7 +296,8 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal(with("/options/weight", 0)), "options.weight is not between 1 and 1e+06");
     EXPECT_EQ(plan_refusal(with("/options/connectivity", 5)), "options.connectivity is neither 4 nor 8");
     EXPECT_EQ(plan_refusal(without("/options/timing")), "options has no member timing");
-    EXPECT_EQ(plan_refusal(with("/after/air/length", nullptr)), "after.air.length is not a number");
+    EXPECT_EQ(plan_refusal(with("/after/air/length", "far")), "after.air.length is not a number");
+    EXPECT_EQ(plan_refusal(with("/after/air/length", nullptr)), "");  // as where zones in time let nobody through
     EXPECT_EQ(plan_refusal(with("/removed", "none")), "removed is not an array");
     EXPECT_EQ(plan_refusal(with("/removed/0/obstacle", 4294967296)),
               "removed[0].obstacle is not between 0 and 4294967295");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "input_error.hpp"
 #include "live/underway.hpp"
@@ -144,6 +145,24 @@ TEST(ReviseWithBatteries, WhoHasNotTakenOffHasAllOfIt) {
     const Revision next = revised(old);
     EXPECT_DOUBLE_EQ(next.mission.agents[1].flown, 0);
     EXPECT_EQ(next.plan.breaches.size(), 1U);
+}
+
+// It has flown since it began to breach from where it starts.
+TEST(ReviseWithBatteries, WhoBreachesFromItsStartFlies) {
+    Underway old{map_from_ascii(R"(
+        ....#...
+        ....#...
+        ....#...)"),
+                 {}};
+    old.mission.agents = {vehicle("ground", {0, 1}, {7, 1}), aircraft("air", {3, 1})};
+    old.mission.agents[1].range = 20;
+    old.mission.rules.removals = 1;
+    old.mission.rules.breach_time.per_obstacle = 6;
+    old.plan = Planner().plan(old.map, old.mission);
+    ASSERT_EQ(old.plan.breaches.size(), 1U);
+    ASSERT_EQ(old.plan.breaches.front().at, (Cell{3, 1}));
+    old.state = {.sequence = 1, .now = 3, .opened = {{old.plan.breaches.front().obstacle, 8}}};
+    EXPECT_DOUBLE_EQ(revised(old).mission.agents[1].flown, 8);
 }
 
 }  // namespace

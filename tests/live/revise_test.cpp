@@ -124,5 +124,25 @@ TEST(Revise, RefusesStatesThatCannotBe) {
     EXPECT_EQ(refused({.sequence = 1, .found = {{{{9, 9}}}}}), "cell 9,9 was found, and is off the map");
 }
 
+// What has opened late is rubble for as long as what has opened in time.
+TEST(Revise, WhoMeetsRubbleTakesItsTimeAfterALateOpening) {
+    Underway old{map_from_ascii(R"(
+        .....#...
+        .....#...
+        .....#...)"),
+                 {}};
+    old.mission.agents = {vehicle("ground", {0, 1}, {8, 1}), aircraft("air", {0, 1})};
+    old.mission.rules.removals = 1;
+    old.mission.rules.rubble = 10;
+    old.plan = Planner().plan(old.map, old.mission);
+    ASSERT_EQ(old.plan.breaches.size(), 1U);
+    const TimedOpening late{old.plan.breaches.front().obstacle, old.plan.breaches.front().cleared_at + 3};
+    old.state = {.sequence = 1, .now = late.at, .opened = {late}};
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, 0);
+    ASSERT_EQ(next.plan.status, PlanStatus::solved);
+    EXPECT_EQ(revision_faults(old, next), "");
+}
+
 }  // namespace
 }  // namespace waybreaker
