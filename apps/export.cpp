@@ -71,6 +71,8 @@ void run(const ExportOptions& options) {
     const io::PlanFile plan = io::parse_plan(text, options.plan);
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
+    if (!options.exports.reach.empty() && plan.plan.status != PlanStatus::solved)
+        throw InputError(options.plan, 0, "has no plan, by which --reach could say what is reached");
     auto files = export_plan(options.exports, plan.plan, map, plan.asked);
     if (!options.html.empty()) files.emplace_back(options.html, html(options, text, plan, map));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);

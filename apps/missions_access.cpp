@@ -105,7 +105,7 @@ std::string aircraft_id(const MissionsAccessOptions& options, int number) {
     return options.aircraft == 1 ? "air" : fmt::format("air{}", number);
 }
 
-// The name, cut where it would be too long for an id with the number behind it.
+// The name, cut where it would be too long for an id with the number behind it, were all its bytes characters.
 std::string numbered(std::string name, int number) {
     const std::string behind = fmt::format(" ({})", number);
     const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };  // a character

@@ -35,8 +35,8 @@ std::string reach_tiff(const Plan& plan, const io::MapFile& map, const io::Missi
     const std::optional<Reach> reach = reach_of(map.map, asked.mission, plan);
     if (!reach) {
         throw InputError(
-            "--reach is for plans of vehicles that do not collide, have one speed and radius, and are more than the "
-            "places they start from, or end at, as those of waybreaker missions access mostly are");
+            "--reach is for vehicles that do not collide, have one speed and radius, and go from at most 16 starts to "
+            "more goals, or from more starts to at most 16 goals, as waybreaker missions access has them");
     }
     return geotiff::time_tiff_bytes({.width = map.map.width(),
                                      .height = map.map.height(),
@@ -103,7 +103,9 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
         const SearchOptions search = search_options(asked.method, asked.mission.ground_body());
         files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
     }
-    if (!exports.reach.empty()) files.emplace_back(exports.reach, reach_tiff(plan, map, asked));
+    // Without a plan nothing is reached; whoever asked says so.
+    if (!exports.reach.empty() && plan.status == PlanStatus::solved)
+        files.emplace_back(exports.reach, reach_tiff(plan, map, asked));
     if (!exports.opened_map.empty()) {
         for (mapfile::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
             files.emplace_back(std::move(file.path), std::move(file.bytes));

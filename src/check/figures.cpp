@@ -1,4 +1,6 @@
 // The figures of a plan: that they follow from the agents' paths, or at least fit together.
+#include <cmath>
+
 #include "check/judge.hpp"
 
 namespace waybreaker::checker {
@@ -38,8 +40,9 @@ class FiguresJudge {
         if (plan_.after.ground().length || plan_.after.makespan || plan_.after.flowtime) {
             report(Rule::status, "figures after removal without agents that reach them");
         }
-        // What must be removed may be out of range.
-        if (plan_.status == PlanStatus::no_plan && plan_.before.ground().length && terms_.rules.force.empty()) {
+        const bool flies_any_distance = std::isinf(flyer_.range) && std::isinf(flyer_.endurance);
+        const bool may_be_out_of_range = !terms_.rules.force.empty() && !flies_any_distance;
+        if (plan_.status == PlanStatus::no_plan && plan_.before.ground().length && !may_be_out_of_range) {
             report(Rule::status, "there is no plan, but a ground path without removals");
         }
     }
