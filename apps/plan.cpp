@@ -32,6 +32,7 @@
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 #include "waybreaker/revise.hpp"
+#include "zone_options.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -192,17 +193,13 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
                                   out_of_time ? " or more time" : ""));
 }
 
-[[noreturn]] void report_barred(const BarredBy& by, const Mission& mission, bool out_of_time) {
-    throw NoPlanFound(fmt::format(
-        "no plan was found, nor that there is none: {} stands in the way of {} at {:g}; other times, or a zone "
-        "less{}, may help",
-        name_of(mission.rules.zones[by.zone - 1], by.zone), by.agent, by.at, out_of_time ? ", or more time" : ""));
-}
-
 void require_plan(const Plan& plan, const Mission& mission, const Limits& limits, const PlanOptions& options,
                   const io::MapFile& map) {
     if (plan.status == PlanStatus::solved) return;
-    if (plan.barred_by) report_barred(*plan.barred_by, mission, plan.status == PlanStatus::limit_reached);
+    if (plan.barred_by) {
+        const bool or_time = plan.status == PlanStatus::limit_reached;
+        throw NoPlanFound(barred_text(*plan.barred_by, mission.rules.zones, or_time));
+    }
     if (mission.is_team()) report_no_team_plan(plan, mission);
     const Agent& driver = mission.first(AgentKind::ground);
     const std::string way =

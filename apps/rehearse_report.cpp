@@ -75,6 +75,9 @@ std::string counts(const RehearsalReport& report, const RehearsedPlan& plan) {
     if (rehearsal.emptied > 0)
         text += fmt::format("battery empty          in {} runs ({})\n", rehearsal.emptied,
                             percent(rehearsal.emptied / runs));
+    if (rehearsal.caught > 0)
+        text +=
+            fmt::format("caught in a zone       in {} runs ({})\n", rehearsal.caught, percent(rehearsal.caught / runs));
     text += fmt::format("as early as planned    {}\n", percent(share_in_time(rehearsal)));
     text += fmt::format("revisions              {:.2f} a run", rehearsal.revisions);
     if (report.timing && !rehearsal.revise_ms.empty())
@@ -117,6 +120,7 @@ void add_figures(const RehearsedPlan& plan, bool timing, Json& json) {
     json["illegal"] = rehearsal.illegal;
     json["on_reserve"] = rehearsal.on_reserve;
     json["emptied"] = rehearsal.emptied;
+    json["caught"] = rehearsal.caught;
     json["makespan"] = spread_json(rehearsal.planned, rehearsal.makespan);
     json["ground_makespan"] = spread_json(rehearsal.ground_planned, rehearsal.ground_makespan);
     json["flowtime"] = spread_json(rehearsal.flowtime_planned, rehearsal.flowtime);
@@ -174,14 +178,14 @@ std::string rehearsal_json(const RehearsalReport& report) {
 std::string rehearsal_csv(const RehearsalReport& report) {
     std::string text =
         "plan,run,ending,makespan,ground_makespan,revisions,failed,blocked,lost,illegal,on_reserve,emptied,"
-        "flowtime,unreached\n";
+        "flowtime,unreached,caught\n";
     for (const RehearsedPlan& plan : report.plans) {
         for (std::size_t i = 0; i < plan.rehearsal.runs.size(); ++i) {
             const Rehearsed& run = plan.rehearsal.runs[i];
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i,
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", io::csv_field(plan.name), i,
                                 to_string(run.ending), run.makespan, run.ground_makespan, run.revisions, run.failed,
                                 run.blocked, run.lost, run.illegal, run.on_reserve, run.emptied, run.flowtime,
-                                run.unreached);
+                                run.unreached, run.caught);
         }
     }
     return text;

@@ -21,6 +21,7 @@
 #include "render/plan_picture.hpp"
 #include "revision/revised_file.hpp"
 #include "waybreaker/error.hpp"
+#include "zone_options.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -75,7 +76,11 @@ std::string summary(const RevisedFile& next) {
     const std::string& reason = next.plan.revised->reason;
     if (!reason.empty()) throw NoPlan("no plan: " + reason);
     if (next.plan.status == PlanStatus::no_plan) throw NoPlan("no plan: what is left of the mission has none");
-    throw NoPlanFound("no plan of what is left of the mission was found; raise --time-limit");
+    const bool or_time = next.plan.status == PlanStatus::limit_reached;
+    if (next.plan.barred_by)
+        throw NoPlanFound(barred_text(*next.plan.barred_by, next.asked.mission.rules.zones, or_time));
+    throw NoPlanFound(std::string("no plan of what is left of the mission was found, nor that there is none") +
+                      (or_time ? "; raise --time-limit" : ""));
 }
 
 void run(const ReviseOptions& options) {

@@ -27,4 +27,11 @@ std::vector<Zone> read_zones_file(const std::string& path, const io::MapFile& ma
     return given.zones;
 }
 
+std::string barred_text(const BarredBy& by, const std::vector<Zone>& zones, bool or_time) {
+    return fmt::format(
+        "no plan was found, nor that there is none: {} stands in the way of {} at {:g}; other times, or a zone "
+        "less{}, may help",
+        name_of(zones[by.zone - 1], by.zone), by.agent, by.at, or_time ? ", or more time" : "");
+}
+
 }  // namespace waybreaker::apps

@@ -4,10 +4,11 @@
 //     Rehearsal rehearsal = rehearse(map, mission, plan, {.fail = 0.1, .runs = 10'000});
 //     rehearsal.makespan.p95;   // 95 of 100 missions are over by then
 //
-// Agents keep to the plan's orders, not to its times: each goes on as early as those allow. Whenever something has
-// happened that makes the plan another one, it is revised (revise.hpp), and they go on with that. The executor shares
-// no code with planners and checker, and counts what no execution may have: discs that overlap, bodies in
-// obstacles that stand, and agents in zones.
+// Agents keep to the plan's orders, not to its times: each goes on as early as those allow. Only agents for whom a zone
+// holds for a time go on no earlier than planned; late ones look ahead whether they would be in one that holds.
+// Whenever that is so, or something has happened that makes the plan another one, it is revised (revise.hpp), and they
+// go on with that. The executor judges by geometry of its own, and counts what no execution may have: discs that
+// overlap, bodies in obstacles that stand, and agents in zones.
 #pragma once
 
 #include <array>
@@ -81,6 +82,7 @@ struct Rehearsed {
     int lost = 0;            // aircraft
     int on_reserve = 0;      // landings on what was to be kept in reserve
     int emptied = 0;         // aircraft whose battery did not bring them home
+    int caught = 0;          // agents, late in a zone, that were still there when it began to hold
     int revisions = 0;       // plans made, whether others came out of it or not
     int illegal = 0;         // pairs of vehicles that overlapped, vehicles in what stood, agents in zones: each once
     std::string fault = {};  // the first of these, for a person
@@ -101,6 +103,7 @@ struct Rehearsal {
     int illegal = 0;     // runs
     int on_reserve = 0;  // runs in which an aircraft landed on its reserve
     int emptied = 0;     // runs in which the battery of one did not bring it home
+    int caught = 0;      // runs in which an agent was still in a zone when that began to hold
     double planned = 0;
     double ground_planned = 0;
     double flowtime_planned = 0;

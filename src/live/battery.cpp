@@ -36,8 +36,8 @@ std::optional<double> recharged_by(const Itinerary& planned, const Position& pos
     std::optional<double> last;
     for (const Recharge& recharge : planned.recharges) {
         const std::optional<std::size_t> end = end_of(planned, recharge);
-        if (!end) continue;
-        const double time = *end < position.next ? recharge.until : position.ahead[*end - position.next + 1].t;
+        if (!end || (*end < position.next && !position.has_passed(*end))) continue;
+        const double time = position.has_passed(*end) ? recharge.until : position.ahead[*end - position.next + 1].t;
         if (time <= ready_at + hair) last = time;
     }
     return last;

@@ -46,6 +46,11 @@ std::optional<Cell> nearest_outside(const Map& map, const Airspace& air, Point a
     return nearest;
 }
 
+void leave_out(std::size_t points, Position& position) {
+    position.next += points;
+    position.left_out += points;
+}
+
 // Off its path it does not come back to places in a zone, which it was to fly out of.
 void leave_out_places_inside(const Agent& aircraft, Position& position) {
     std::vector<Waypoint>& ahead = position.ahead;
@@ -53,7 +58,7 @@ void leave_out_places_inside(const Agent& aircraft, Position& position) {
         return aircraft.airspace.allows({p.x, p.y});
     });
     if (outside == ahead.begin() + 1 || outside == ahead.end()) return;
-    position.next += std::size_t(outside - ahead.begin()) - 1;
+    leave_out(std::size_t(outside - ahead.begin()) - 1, position);
     const double later =
         ahead[0].t + distance(position.at, Point(outside->x, outside->y)) / aircraft.speed - outside->t;
     ahead.erase(ahead.begin() + 1, outside);
@@ -62,7 +67,7 @@ void leave_out_places_inside(const Agent& aircraft, Position& position) {
 
 // Zones enclose it: it stays where it is.
 void stay(Position& position) {
-    position.next += position.ahead.size() - 1;
+    leave_out(position.ahead.size() - 1, position);
     position.ahead.resize(1);
     position.detour.clear();
 }

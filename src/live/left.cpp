@@ -59,9 +59,9 @@ bool is_at_work(const Work& work, const Position& position) {
 
 // When the work is done, if it is done or has begun by `decided`.
 std::optional<double> done_at(const Report& report, const Work& work, const Position& position, const Breach& breach) {
-    if (work.last < position.next) return std::min(breach.cleared_at, report.state.now);
+    if (position.has_passed(work.last)) return std::min(breach.cleared_at, report.state.now);
     const bool goes_on = position.doing == Doing::moving || position.doing == Doing::breaching;
-    if (!goes_on) return std::nullopt;
+    if (!goes_on || work.last < position.next) return std::nullopt;
     const double ends = position.ahead[end_ahead(work, position)].t;
     if (ends <= report.decided) return ends;
     if (is_at_work(work, position)) return ends;

@@ -23,8 +23,11 @@ struct Position {
     // Of an aircraft that zones are in the way of, to the first point ahead: where it bends; the first of these is
     // where it gets out of a zone in which it was found.
     std::vector<Waypoint> detour = {};
-    double leaves_zone = 0;  // the time at which it has got out of one
+    double leaves_zone = 0;    // the time at which it has got out of one
+    std::size_t left_out = 0;  // points before `next` that it does not come to any more: zones hold over them
 
+    // Whether it has got to that point of its planned path, by the time asked for.
+    bool has_passed(std::size_t point) const { return point + left_out < next; }
     bool finished() const { return ahead.size() == 1; }
     // What is ahead, round zones.
     std::vector<Waypoint> flight() const;

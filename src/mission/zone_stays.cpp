@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/in_zones.hpp"
+
 namespace waybreaker {
 namespace {
 
@@ -27,6 +29,11 @@ bool is_breached(const Zone& zone, const Stay& stay, double speed) {
     const double from = std::max(zone.from, stay.from + (stay.entered ? across : 0));
     const double until = std::min(zone.until, stay.until - (stay.left ? across : 0));
     return until - from > hair_at(from);
+}
+
+std::optional<ZoneBreach> first_of(const std::vector<ZoneBreach>& breaches) {
+    if (breaches.empty()) return std::nullopt;
+    return *std::ranges::min_element(breaches, {}, &ZoneBreach::at);
 }
 
 }  // namespace
@@ -73,10 +80,7 @@ ZoneWatch::ZoneWatch(const Map& map, const Mission& mission) : mission_(mission)
 }
 
 bool ZoneWatch::holds_for(std::size_t zone, std::size_t agent) const {
-    const Zone& given = mission_.rules.zones[zone];
-    const Agent& asked = mission_.agents[agent];
-    return (given.kind == ZoneKind::no_fly) == (asked.kind == AgentKind::air) &&
-           (given.agents.empty() || std::ranges::count(given.agents, asked.id) > 0);
+    return waybreaker::holds_for(mission_.rules.zones[zone], mission_.agents[agent]);
 }
 
 std::vector<Stay> ZoneWatch::stays(std::size_t zone, std::size_t agent, std::span<const Waypoint> path,
@@ -105,8 +109,15 @@ std::optional<ZoneBreach> ZoneWatch::first_breach(const Plan& plan, const std::v
             if (holds_for(zone, agent)) add_first_breach(zone, agent, plan.agents[agent].path, breaches);
         }
     }
-    if (breaches.empty()) return std::nullopt;
-    return *std::ranges::min_element(breaches, {}, &ZoneBreach::at);
+    return first_of(breaches);
+}
+
+std::optional<ZoneBreach> ZoneWatch::first_breach(std::size_t agent, std::span<const Waypoint> path) const {
+    std::vector<ZoneBreach> breaches;
+    for (const auto& [zone, closed] : closed_) {
+        if (holds_for(zone, agent)) add_first_breach(zone, agent, path, breaches);
+    }
+    return first_of(breaches);
 }
 
 }  // namespace waybreaker

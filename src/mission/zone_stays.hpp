@@ -43,6 +43,9 @@ class ZoneWatch {
     // before they are ready is not asked of those that are under way. REQUIRES: the plan's agents are the mission's.
     std::optional<ZoneBreach> first_breach(const Plan& plan, const std::vector<bool>& passed) const;
 
+    // Of one agent on another path: the first in time.
+    std::optional<ZoneBreach> first_breach(std::size_t agent, std::span<const Waypoint> path) const;
+
     // Of an agent that a zone holds for, on such a path. `stays`: at its end, for ever.
     std::vector<Stay> stays(std::size_t zone, std::size_t agent, std::span<const Waypoint> path, bool stays) const;
     bool holds_for(std::size_t zone, std::size_t agent) const;

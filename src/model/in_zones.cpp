@@ -20,10 +20,7 @@ AgentKind kind_of(const Zone& zone) {
 
 // For all agents of its kind, or none: validate_zones.
 bool holds(const Zone& zone, const Mission& mission) {
-    const auto is_meant = [&](const Agent& agent) {
-        return agent.kind == kind_of(zone) && (zone.agents.empty() || std::ranges::count(zone.agents, agent.id) > 0);
-    };
-    return std::ranges::any_of(mission.agents, is_meant);
+    return std::ranges::any_of(mission.agents, [&](const Agent& agent) { return holds_for(zone, agent); });
 }
 
 // All the time.
@@ -237,6 +234,10 @@ void validate_polygons(const std::vector<Zone>& zones) {
                                  " corners together; simplify their polygons");
         validate(zones[i], i + 1);
     }
+}
+
+bool holds_for(const Zone& zone, const Agent& agent) {
+    return agent.kind == kind_of(zone) && (zone.agents.empty() || std::ranges::count(zone.agents, agent.id) > 0);
 }
 
 void validate_zones(const Map& map, const Mission& mission) {

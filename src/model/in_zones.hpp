@@ -17,6 +17,9 @@ namespace waybreaker {
 // REQUIRES: a mission that is valid but for its zones.
 void validate_zones(const Map& map, const Mission& mission);
 
+// Whether a zone is one for that agent, whenever it holds.
+bool holds_for(const Zone& zone, const Agent& agent);
+
 // Gives aircraft the airspace that the zones of the mission without a window leave them.
 void set_airspaces(const Map& map, Mission& mission);
 

@@ -26,7 +26,8 @@ enum class Phase { waiting, held, moving, at_work, arrived, lost };
 struct Actor {
     Actor(const Agent& agent, std::size_t index);
 
-    std::size_t number = 0;  // in the mission
+    std::size_t number = 0;      // in the mission that is rehearsed
+    std::size_t planned_as = 0;  // in that of the plan
     AgentKind kind = AgentKind::ground;
     double speed = 1;
     double radius = 0;
@@ -36,8 +37,9 @@ struct Actor {
     Phase phase = Phase::waiting;
     double since = 0;  // it moves
     double until = never;
-    bool rolls = false;    // it was on a move when the plan changed: it goes on at once
-    bool delayed = false;  // at this stop, the delay is drawn already
+    double barred_at = never;  // by a zone, for which there was a new plan
+    bool rolls = false;        // it was on a move when the plan changed: it goes on at once
+    bool delayed = false;      // at this stop, the delay is drawn already
     std::uint64_t moves = 0;
     double driven = 0;                  // up to the stop, cells
     double news = never;                // what is drawn happens when it has driven that

@@ -8,6 +8,7 @@
 
 #include "rehearse/actor.hpp"
 #include "rehearse/draws.hpp"
+#include "rehearse/foresight.hpp"
 #include "rehearse/outcome.hpp"
 #include "rehearse/trail.hpp"
 #include "waybreaker/revise.hpp"
@@ -46,7 +47,7 @@ class Execution {
         adopt(scene_.scripts);
         heed_news();
         while (result_.ending == Ending::arrived && !everybody_ended()) step();
-        for (Actor& actor : actors_) log(actor);
+        for (Actor& actor : actors_) log_end(actor);
         sum_up(scene_, std::move(actors_), events_, now_, result_);
         return std::move(result_);
     }
@@ -110,10 +111,13 @@ class Execution {
         }
     }
 
-    // Where it is by now; not of who has left the map.
-    void log(Actor& actor) const {
+    // Where it is by now.
+    void log(Actor& actor) const { actor.trail.add(actor.at(now_), now_); }
+
+    // Not of who has left the map, or is lost.
+    void log_end(Actor& actor) const {
         const bool left = actor.phase == Phase::arrived && scene_.mission.rules.at_goal == AtGoal::leave;
-        if (!left) actor.trail.add(actor.at(now_), now_);
+        if (!left && actor.phase != Phase::lost) log(actor);
     }
 
     static void stand(Actor& actor, Phase phase, double until = never) {
@@ -129,6 +133,7 @@ class Execution {
                            std::ranges::any_of(here.gates, stands);
         if (waits) return stand(actor, Phase::waiting);
         if (here.not_before > now_) return stand(actor, Phase::held, here.not_before);
+        if (here.on_time && now_ > here.not_before + at_once && stops_before_zone(actor)) return;
         if (actor.stop + 1 == actor.script.size()) {
             if (actor.phase != Phase::arrived) actor.arrived_at = now_;
             result_.on_reserve += actor.land(now_) ? 1 : 0;
@@ -152,6 +157,21 @@ class Execution {
         const double length = actor.to_next();
         const bool news_on_the_way = actor.driven <= actor.news && actor.news < actor.driven + length;
         actor.until = now_ + (news_on_the_way ? actor.news - actor.driven : length) / actor.speed;
+    }
+
+    // Whether one that is late has to: until there is a new plan, or until the zone is over where no plan helps.
+    bool stops_before_zone(Actor& actor) {
+        const double later = foresight_->may_go_on(actor, now_);
+        if (later <= now_) return false;
+        stand(actor, Phase::waiting);
+        if (std::exchange(actor.barred_at, now_) != now_) {
+            news_ = true;
+        } else if (later != never) {
+            actor.until = later;
+        } else {
+            result_.ending = Ending::no_way;
+        }
+        return true;
     }
 
     void move(Actor& actor) {
@@ -230,6 +250,7 @@ class Execution {
 
     void lose(Actor& actor, int& count) {
         ++count;
+        log(actor);
         actor.lost_at = actor.at(now_);
         actor.took_off = never;
         stand(actor, Phase::lost);
@@ -292,8 +313,8 @@ class Execution {
         }
         Revision next = revised(state());
         if (next.plan.status != PlanStatus::solved) {
-            result_.ending = ending_of(next);
-            return;
+            result_.ending = ending_of(next, actors_);
+            return wake();
         }
         revision_ = std::move(next);
         map_ = &revision_->map;
@@ -307,20 +328,13 @@ class Execution {
         adopt(scripts_of(*map_, *mission_, *plan_, standing));
     }
 
-    Ending ending_of(const Revision& revision) const {
-        const auto at_home = [](const Actor& actor) {
-            return actor.kind == AgentKind::air || actor.phase == Phase::arrived;
-        };
-        if (std::ranges::all_of(actors_, at_home)) return Ending::arrived;
-        if (revision.status == RevisionStatus::broken) return Ending::broken;
-        return revision.plan.status == PlanStatus::no_plan ? Ending::no_way : Ending::not_found;
-    }
-
     // Everybody goes on with another script, from where it is.
     void adopt(std::vector<Script> scripts) {
         happened_.assign(plan_->orders.size(), false);
+        foresight_.emplace(*map_, *mission_);
         for (std::size_t i = 0; i < acting_.size(); ++i) {
             Actor& actor = actors_[acting_[i]];
+            actor.planned_as = i;
             const bool moves = actor.phase == Phase::moving;
             if (!actor.script.empty()) {
                 const Point at = actor.at(now_);
@@ -355,6 +369,7 @@ class Execution {
     const Map* map_;
     const Mission* mission_;
     const Plan* plan_;
+    std::optional<Foresight> foresight_;
     std::vector<Actor> actors_;         // of the first plan
     std::vector<std::size_t> acting_;   // those of the plan, in its order
     std::vector<bool> happened_;        // the first event of each order

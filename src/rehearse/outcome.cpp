@@ -26,6 +26,15 @@ bool is_left(const Actor& actor, const Agent& agent, const Rules& rules, double 
 
 }  // namespace
 
+Ending ending_of(const Revision& revision, std::span<const Actor> actors) {
+    const auto at_home = [](const Actor& actor) {
+        return actor.kind == AgentKind::air || actor.phase == Phase::arrived;
+    };
+    if (std::ranges::all_of(actors, at_home)) return Ending::arrived;
+    if (revision.status == RevisionStatus::broken) return Ending::broken;
+    return revision.plan.status == PlanStatus::no_plan ? Ending::no_way : Ending::not_found;
+}
+
 void sum_up(const Scene& scene, std::vector<Actor> actors, const Events& events, double now, Rehearsed& result) {
     const Rules& rules = scene.mission.rules;
     std::vector<std::string> faults;
@@ -37,7 +46,9 @@ void sum_up(const Scene& scene, std::vector<Actor> actors, const Events& events,
         if (left) ++result.unreached;
         const double ended = left ? rules.unreached.value_or(now) : end_of(actor, now);
         if (actor.phase != Phase::lost) finish.add(actor.kind, ended, agent.weight);
-        if (auto fault = zone_fault(rules.zones, actor.trail)) faults.push_back(*std::move(fault));
+        ZoneFaults zoned = zone_faults(rules.zones, actor.trail);
+        if (zoned.fault) faults.push_back(*std::move(zoned.fault));
+        result.caught += zoned.caught ? 1 : 0;
         if (actor.kind == AgentKind::ground) vehicles.push_back(std::move(actor.trail));
     }
     result.makespan = finish.makespan();

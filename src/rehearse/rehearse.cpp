@@ -29,10 +29,6 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
         contradiction(
             "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
             "enforced");
-    if (std::ranges::any_of(mission.rules.zones, &Zone::has_window))
-        contradiction(
-            "a rehearsal plays who comes late as well, and does not know zones that hold for a time only: leave "
-            "'from' and 'until' out, or the zones");
 }
 
 Spread spread_of(std::vector<double> values) {
@@ -79,6 +75,7 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
         if (run.illegal > 0) ++rehearsal.illegal;
         if (run.on_reserve > 0) ++rehearsal.on_reserve;
         if (run.emptied > 0) ++rehearsal.emptied;
+        if (run.caught > 0) ++rehearsal.caught;
         if (run.ending != Ending::arrived) continue;
         ++rehearsal.arrived;
         makespans.push_back(run.makespan);

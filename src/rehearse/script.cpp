@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/in_zones.hpp"
 #include "rehearse/trail.hpp"
 
 namespace waybreaker::rehearsal {
@@ -82,11 +83,39 @@ std::optional<Moment> entry_of(const Map& map, const Plan& plan, std::size_t age
 }
 
 // Stands there for its rubble, once it is open. What the vehicle begins in, it has entered before.
-void add_rubble(const std::vector<Waypoint>& path, const Moment& entry, double rubble, Script& script) {
+void stand_for_rubble(const std::vector<Waypoint>& path, const Moment& entry, double rubble, Script& script) {
     if (entry.point == 0 && entry.fraction == 0) return;
     const Stop& gate = stop_at(script, path, entry.point, entry.fraction);
     const Stop stand{.point = gate.point, .share = gate.share, .at = gate.at, .work = rubble};
     script.insert(script.begin() + (&gate - script.data()) + 1, stand);
+}
+
+void add_rubble(const Map& map, const Mission& mission, const Plan& plan, std::vector<Script>& scripts) {
+    std::vector<ObstacleId> removed;
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
+    for (const TimedOpening& opening : mission.rules.opened) removed.push_back(opening.obstacle);
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        for (const ObstacleId obstacle : removed) {
+            const auto entry = entry_of(map, plan, i, mission.agents[i].body.reach(), obstacle);
+            if (entry) stand_for_rubble(plan.agents[i].path, *entry, mission.rules.rubble, scripts[i]);
+        }
+    }
+}
+
+// As planned: who comes early could come into a zone before that is over. Who stands for rubble does so before the time
+// at which it goes on from there.
+void keep_times(const std::vector<Waypoint>& path, Script& script) {
+    double stands = 0;
+    for (std::size_t i = script.size(); i-- > 0;) {
+        Stop& stop = script[i];
+        const Stop* next = i + 1 < script.size() ? &script[i + 1] : nullptr;
+        stands = next != nullptr && next->point == stop.point && next->share == stop.share ? stands + next->work : 0;
+        double planned = path[stop.point].t;
+        if (stop.share > 0) planned += stop.share * (path[stop.point + 1].t - planned);
+        stop.on_time = true;
+        stop.not_before = std::max(stop.not_before, planned - stands);
+    }
 }
 
 }  // namespace
@@ -132,16 +161,12 @@ std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Pla
             .signals.push_back(k);
         stop_at(scripts[second], plan.agents[second].path, order.after.point, order.after.fraction).waits.push_back(k);
     }
-    if (mission.rules.rubble == 0) return scripts;
-    std::vector<ObstacleId> removed;
-    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    for (const TimedOpening& opening : mission.rules.opened) removed.push_back(opening.obstacle);
+    if (mission.rules.rubble > 0) add_rubble(map, mission, plan, scripts);
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        if (plan.agents[i].kind == AgentKind::air) continue;
-        for (const ObstacleId obstacle : removed) {
-            const auto entry = entry_of(map, plan, i, mission.agents[i].body.reach(), obstacle);
-            if (entry) add_rubble(plan.agents[i].path, *entry, mission.rules.rubble, scripts[i]);
-        }
+        const auto has_times = [&](const Zone& zone) {
+            return zone.has_window() && holds_for(zone, mission.agents[i]);
+        };
+        if (std::ranges::any_of(mission.rules.zones, has_times)) keep_times(plan.agents[i].path, scripts[i]);
     }
     return scripts;
 }

@@ -1,5 +1,5 @@
 // Script: an agent's path as a list of stops, with what it does at each and what it waits for there. Made of a plan's
-// paths and orders; planned times are not in it.
+// paths and orders; planned times are in it only of those whom zones hold for that have times.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,7 @@ struct Stop {
     double share = 0;       // of the way to the next point
     Point at = {};
     double not_before = 0;                  // when it goes on, or has arrived
+    bool on_time = false;                   // it is to go on at that time: zones have times
     double work = 0;                        // how long it is at work, or stands for rubble, before it is done here
     bool recharges = false;                 // it is at a base for that
     std::vector<ObstacleId> breaches = {};  // which then opens

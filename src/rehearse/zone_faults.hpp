@@ -13,7 +13,11 @@ namespace waybreaker::rehearsal {
 // What overlaps a zone by less touches, in cells: corners are rounded in planning.
 inline constexpr double zone_touching = 2e-3;
 
-// The first zone that an agent was in, as a line; empty if none.
-std::optional<std::string> zone_fault(std::span<const Zone> zones, const Trail& trail);
+// What an agent had to do with zones.
+struct ZoneFaults {
+    std::optional<std::string> fault = {};  // the first zone that it was in while that held, as a line
+    bool caught = false;  // it was in one, not yet forbidden, when that began to hold; until it is out that is no fault
+};
+ZoneFaults zone_faults(std::span<const Zone> zones, const Trail& trail);
 
 }  // namespace waybreaker::rehearsal

@@ -125,6 +125,22 @@ TEST(ReviseInZones, AnAircraftFliesOutOfAZoneThatHoldsNowAndOnWhereItDoesNotYet)
     }
 }
 
+// It was to breach before the zone over the obstacle begins.
+TEST(ReviseInZones, WhatALateAircraftCannotGetToAnyMoreIsNotOpened) {
+    Underway old = round_a_zone();
+    old.mission.rules.zones = {{.polygon = {{{7, -1}, {13, -1}, {13, 7}, {7, 7}}}, .name = "helipad", .from = 20}};
+    old.plan = Planner().plan(old.map, old.mission);
+    ASSERT_EQ(old.plan.breaches.size(), 1U);
+    ASSERT_LT(old.plan.breaches[0].cleared_at, 20);
+    old.state.now = 20.5;
+    old.state.agents = {{.id = "air", .passed = 0, .at = Point(2, 3)},
+                        {.id = "ground", .passed = 0, .doing = Doing::waiting}};
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    EXPECT_TRUE(next.mission.rules.opened.empty());
+    EXPECT_EQ(next.status, RevisionStatus::no_plan);
+}
+
 // Of the cells outside, (3, 3) is the nearest.
 TEST(ReviseInZones, AnAircraftFoundInAZoneFliesStraightOut) {
     Underway old = round_a_zone();

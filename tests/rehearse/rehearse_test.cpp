@@ -87,6 +87,21 @@ RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereThereAreZones, ()) {
     expect_legal(any_rehearsable(14, 3, true));
 }
 
+RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereZonesHaveTimes, ()) {
+    expect_legal(any_windowed_underway(14));
+}
+
+RC_GTEST_PROP(Rehearse, WhereZonesHaveTimesNobodyIsLateWithoutDraws, ()) {
+    Rehearsable drawn = any_windowed_underway(14);
+    RC_PRE(drawn.mission.rules.rubble == 0);
+    const Rehearsal rehearsal = rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1, .threads = 1});
+    RC_ASSERT(faults(rehearsal) == "");
+    RC_ASSERT(rehearsal.arrived == 1);
+    if (steps(drawn) == 0) RC_ASSERT(rehearsal.caught == 0);
+    const double later = 1e-6 + steps(drawn);
+    RC_ASSERT(rehearsal.makespan.worst <= rehearsal.planned * (1 + 1e-9) + later);
+}
+
 RC_GTEST_PROP(Rehearse, NoRunIsIllegalWhereBatteriesEnd, ()) {
     expect_legal(any_rehearsable(14, 3, *rc::gen::arbitrary<bool>(), true));
 }
@@ -234,11 +249,35 @@ TEST(Rehearse, AnAgentInAZoneIsSeen) {
     }
 }
 
-TEST(Rehearse, RefusesZonesThatHoldForATime) {
-    Rehearsable drawn = crossing();
-    drawn.mission.rules.zones = {{.polygon = {{{2, 5}, {5, 5}, {5, 9}}}, .until = 3}};
-    EXPECT_NE(input_error([&] { (void)rehearse(drawn.map, drawn.mission, drawn.plan, {.runs = 1}); }).find("'until'"),
-              std::string::npos);
+// A rover drives along a street, through a market that it reaches into from 9 to 13 after it sets out.
+Rehearsable past_a_market(double from, double until) {
+    const Map map = Map::from_rows({"...............", "...............", "..............."});
+    Mission mission = ground_and_air({0, 1}, {14, 1});
+    mission.rules.removals = 0;
+    mission.agents.pop_back();
+    mission.agents.push_back(aircraft("air", {0, 0}));
+    Zone market{.kind = ZoneKind::keep_out, .polygon = {{{9.5, -1}, {12.5, -1}, {12.5, 4}, {9.5, 4}}}};
+    market.from = from;
+    market.until = until;
+    mission.rules.zones = {market};
+    return {map, mission, Planner().plan(map, mission)};
+}
+
+TEST(Rehearse, WhoIsLateWaitsUntilAZoneIsOver) {
+    const Rehearsable drawn = past_a_market(14, 30);
+    ASSERT_EQ(drawn.plan.after.makespan, 14);
+    const auto played = [&](double late) {
+        return rehearse(drawn.map, drawn.mission, drawn.plan, {.delay = {DelayKind::fixed, late}, .runs = 1})
+            .runs.front();
+    };
+    EXPECT_EQ(played(0).revisions, 0);
+    EXPECT_EQ(played(0.25).revisions, 0);
+    const Rehearsed late = played(3);
+    EXPECT_EQ(late.revisions, 1);
+    EXPECT_EQ(late.illegal, 0) << late.fault;
+    EXPECT_EQ(late.caught, 0);
+    EXPECT_EQ(late.ending, Ending::arrived);
+    EXPECT_NEAR(late.makespan, 35 + 3, 1e-3);  // late once more, when it leaves at last
 }
 
 TEST(Rehearse, CountsWhatHappens) {

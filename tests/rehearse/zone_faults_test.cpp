@@ -18,7 +18,7 @@ bool is_seen(const Zone& zone, const std::vector<Point>& path, double radius = 0
     Trail trail{.agent = "a", .kind = zone.kind == ZoneKind::no_fly ? AgentKind::air : AgentKind::ground};
     trail.radius = radius;
     for (std::size_t i = 0; i < path.size(); ++i) trail.add(path[i], double(i));
-    return zone_fault(std::array{zone}, trail).has_value();
+    return zone_faults(std::array{zone}, trail).fault.has_value();
 }
 
 TEST(ZoneFault, FlightsMayTouchASideAndAreInTheHole) {
@@ -53,7 +53,34 @@ TEST(ZoneFault, HoldsForWhomItNames) {
     Trail rover{.agent = "a"};
     rover.add({0, 3}, 0);
     rover.add({9, 3}, 9);
-    EXPECT_FALSE(zone_fault(std::array{zone}, rover));
+    EXPECT_FALSE(zone_faults(std::array{zone}, rover).fault);
+}
+
+// It is in the ring from 2 to 4, in its hole until 6, and in the ring again until 8.
+TEST(ZoneFault, HoldsBetweenItsTimes) {
+    struct Case {
+        double from;
+        double until;
+        bool fault;
+        bool caught;
+    };
+    for (const Case& c : {Case{0, 2, false, false},
+                          {0, 2.1, true, false},
+                          {3.9, 6, false, true},
+                          {4.1, 5.9, false, false},
+                          {4.1, 6.1, true, false},
+                          {3, 7, true, true},
+                          {7, 9, false, true},
+                          {8, 9, false, false}}) {
+        Zone zone = ring(ZoneKind::no_fly);
+        zone.from = c.from;
+        zone.until = c.until;
+        Trail flight{.agent = "a", .kind = AgentKind::air};
+        for (const double t : {0.0, 3.5, 5.0, 10.0}) flight.add({t, 5}, t);
+        const ZoneFaults faults = zone_faults(std::array{zone}, flight);
+        EXPECT_EQ(faults.fault.has_value(), c.fault) << c.from << " to " << c.until;
+        EXPECT_EQ(faults.caught, c.caught) << c.from << " to " << c.until;
+    }
 }
 
 }  // namespace
