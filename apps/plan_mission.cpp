@@ -49,7 +49,13 @@ Places places_of(const PlanOptions& options, const io::MapFile& map) {
                                     : cell_of(*place);
     };
     Places places{cell(options.start), cell(options.goal), cell(options.air_start), cell(options.air_goal), {}};
-    for (const GivenPlace& base : options.bases) places.bases.push_back(*cell(base));
+    for (const GivenPlace& base : options.bases) {
+        places.bases.push_back(*cell(base));
+        if (!map.map.grid().contains(places.bases.back()))
+            throw InputError(fmt::format("--base {} is off the map: x goes from 0 to {}, y from 0 to {}",
+                                         place_text(places.bases.back(), options, map), map.map.width() - 1,
+                                         map.map.height() - 1));
+    }
     return places;
 }
 

@@ -63,6 +63,9 @@ void add_range_options(CLI::App& command, PlanOptions& options) {
 
 void set_ranges(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
     if (!options.range && !options.endurance && !options.reserve && !options.recharge && options.bases.empty()) return;
+    const auto require = [](bool holds, const char* option, const char* needed) {
+        if (!holds) throw InputError(fmt::format("{} needs {}", option, needed));
+    };
     bool flies = false;
     for (Agent& agent : document.mission.agents) {
         if (agent.kind == AgentKind::ground) continue;
@@ -71,6 +74,10 @@ void set_ranges(const PlanOptions& options, const io::MapFile& map, io::MissionD
         if (options.endurance) agent.endurance = options.endurance->value;
         agent.reserve = options.reserve.value_or(agent.reserve);
         if (options.recharge) agent.recharge = options.recharge->value;
+        const bool ends = std::isfinite(agent.range) || std::isfinite(agent.endurance);
+        require(!options.reserve || agent.reserve == 0 || ends, "--reserve", "--range or --endurance");
+        require(!options.recharge || ends, "--recharge", "--range or --endurance");
+        require(options.bases.empty() || agent.recharge, "--base", "--recharge");
     }
     if (!flies)
         throw InputError(

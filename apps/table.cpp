@@ -55,7 +55,10 @@ std::string shortened(std::string_view name) {
 }
 
 std::string text(std::optional<double> value, int digits) {
-    return value ? fmt::format("{:.{}f}", *value, digits) : nothing;
+    if (!value) return nothing;
+    std::string figure = fmt::format("{:.{}f}", *value, digits);
+    const bool is_zero = figure.find_first_of("123456789ni") == std::string::npos;  // or inf, nan
+    return is_zero && figure.front() == '-' ? figure.substr(1) : figure;
 }
 
 std::string text(Cell c) {

@@ -11,9 +11,22 @@
 
 namespace waybreaker::apps {
 
+namespace {
+
+std::vector<Zone> valid(std::vector<Zone> zones, const std::string& path) {
+    try {
+        for (std::size_t i = 0; i < zones.size(); ++i) validate(zones[i], i + 1);
+    } catch (const InputError& error) {
+        throw InputError(io::input_name(path), 0, error.what());
+    }
+    return zones;
+}
+
+}  // namespace
+
 std::vector<Zone> read_zones_file(const std::string& path, const io::MapFile& map) {
     io::ZoneCollection given = io::parse_zones(io::read_whole(path, io::max_zones_bytes), io::input_name(path));
-    if (given.in_cells || given.zones.empty()) return given.zones;
+    if (given.in_cells || given.zones.empty()) return valid(std::move(given.zones), path);
     if (!map.georeference) {
         throw InputError(fmt::format(
             "{}: is in longitude and latitude, and {} does not say where on Earth it lies; give cells, and \"crs\": "
@@ -24,7 +37,7 @@ std::vector<Zone> read_zones_file(const std::string& path, const io::MapFile& ma
     for (Zone& zone : given.zones) {
         for (std::vector<Point>& ring : zone.polygon) ring = to_cells(std::move(ring));
     }
-    return given.zones;
+    return valid(std::move(given.zones), path);
 }
 
 std::string barred_text(const BarredBy& by, const std::vector<Zone>& zones, bool or_time) {

@@ -73,7 +73,7 @@ Value JsonField::one_of(const std::vector<std::pair<std::string, Value>>& choice
         if (*json_ == word) return value;
         words += (words.empty() ? "" : ", ") + word;
     }
-    fail("is none of " + words);
+    fail((choices.size() == 1 ? "is not " : "is none of ") + words);
 }
 
 }  // namespace waybreaker::io

@@ -76,14 +76,17 @@ void validate_limits(const Agent& agent) {
         throw InputError(ErrorCode::out_of_range, agent.id,
                          "the " + agent.id + " agent's " + what + " must be above 0, not " + number_text(value));
     };
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
+    };
+    const bool lands = agent.recharge || !agent.bases.empty();
+    if (agent.kind == AgentKind::ground && (is_limited || agent.reserve > 0 || lands))
+        refuse("drives: range, endurance, reserve, recharge and bases are for air agents");
     require_positive(agent.range, "range");
     require_positive(agent.endurance, "endurance");
     const std::string reserve = "the reserve of the " + agent.id + " agent";
     require_range(agent.reserve, 0, 1, reserve);
     require_range(agent.flown, 0, most_breach_time, "the time that the " + agent.id + " agent has flown");
-    const auto refuse = [&](const std::string& why) {
-        throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
-    };
     if (agent.recharge) {
         require_positive(*agent.recharge, "time to recharge");
         require_range(*agent.recharge, 0, most_breach_time, "the time to recharge of the " + agent.id + " agent");
@@ -95,8 +98,6 @@ void validate_limits(const Agent& agent) {
     if (!agent.bases.empty() && !agent.recharge) refuse("has bases, and no time to recharge there");
     if (agent.bases.size() > most_bases)
         refuse("has " + std::to_string(agent.bases.size()) + " bases: at most " + std::to_string(most_bases));
-    if (!is_limited) return;
-    if (agent.kind == AgentKind::ground) refuse("drives: range and endurance are for air agents");
 }
 
 void validate_bases(const Map& map, const Agent& agent) {

@@ -249,7 +249,7 @@ TEST(Range, NamesWhatCannotBe) {
     EXPECT_EQ(error(), "the air agent has a reserve, and neither a range nor an endurance");
     mission.agents[1].reserve = 0;
     mission.agents[0].range = 9;
-    EXPECT_EQ(error(), "the ground agent drives: range and endurance are for air agents");
+    EXPECT_EQ(error(), "the ground agent drives: range, endurance, reserve, recharge and bases are for air agents");
     mission.agents[0].range = never;
     mission.agents[1].flown = 1;
     EXPECT_EQ(error(), "the air agent has flown, and has neither a range nor an endurance");

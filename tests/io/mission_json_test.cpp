@@ -235,7 +235,7 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(says(R"("overlays": [{"file": "a.shp", "as": "lava"}])"),
               "overlays[0].as is none of water, debris, closed, wall, free");
     EXPECT_EQ(says(R"("overlays": [{"file": "", "as": "water"}])"), "overlays[0].file is empty");
-    EXPECT_EQ(says(R"("time_unit": "h")"), "time_unit is none of s");
+    EXPECT_EQ(says(R"("time_unit": "h")"), "time_unit is not s");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
     EXPECT_EQ(says(R"("rules": {"budget": 1, "budget_m2": 1})"),
               "rules.budget_m2 stands beside budget; give one of them");
