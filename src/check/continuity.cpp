@@ -291,7 +291,8 @@ class ContinuityJudge {
                     bound = bound || (breacher.agent != nullptr && d.agent == breacher.agent->id &&
                                       d.time >= known->at - slack(known->at));
                 }
-                if (!bound) say("nobody breaches " + text(id) + " by the time that it is said to open", "", id);
+                if (!bound && plan_.status == PlanStatus::solved)
+                    say("nobody breaches " + text(id) + " by the time that it is said to open", "", id);
             }
         }
         for (const TimedOpening& known : mission_.rules.opened) {

@@ -73,13 +73,16 @@ void use_battery(const Agent& was, const Itinerary& planned, const Position& pos
     const double needed = agent.flown + home;
     if (std::isinf(needed) || needed <= (1 - agent.reserve) * battery) return;
     if (needed > battery * (1 + hair)) {
-        agent.reserve = 0;
-        throw InputError(
-            ErrorCode::contradiction, agent.id,
-            flight_sentence(
-                agent, agent.recharge ? "from where it is to its goal or a base it" : "from where it is to its goal it",
-                home) +
-                ": send it to a nearer goal, or report it as lost");
+        // What it can fly until it recharges.
+        Agent flying = agent;
+        flying.reserve = 0;
+        flying.recharge.reset();
+        throw InputError(ErrorCode::contradiction, agent.id,
+                         flight_sentence(flying,
+                                         agent.recharge ? "from where it is to its goal or a base it"
+                                                        : "from where it is to its goal it",
+                                         home) +
+                             ": send it to a nearer goal, or report it as lost");
     }
     agent.reserve = std::max(1 - needed / battery, 0.0);
 }

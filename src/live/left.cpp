@@ -57,6 +57,31 @@ bool is_at_work(const Work& work, const Position& position) {
     return work.first < position.next && work.last >= position.next;
 }
 
+// Whether an agent that is to be at work by now waits, or is somewhere else.
+bool has_left_off(const Report& report, const Work& work, const Position& position) {
+    constexpr double beside = 0.5;  // cells: who leaves, or comes, is beside the place of its breach
+    const Itinerary& agent = report.plan.agents[work.agent];
+    const Waypoint& place = agent.path[work.last];
+    const bool is_away = agent.kind == AgentKind::air && distance(position.at, Point(place.x, place.y)) > beside;
+    return position.doing == Doing::waiting || is_away;
+}
+
+// The work, from now on or from when it is back, for as long as it takes.
+void begin_again(const Report& report, const Breach& breach, const Work& work, Position& position) {
+    const Agent& agent = report.mission.agents[work.agent];
+    std::vector<Waypoint>& ahead = position.ahead;
+    const std::size_t end = end_ahead(work, position);
+    const double takes = time_to_breach(agent, report.map.obstacle(breach.obstacle), report.mission.rules);
+    const Waypoint last = ahead[end];
+    const double begins = ahead[0].t + distance(position.at, Point(last.x, last.y)) / agent.speed;
+    for (std::size_t i = end; i < ahead.size(); ++i) ahead[i].t += begins + takes - last.t;
+    std::vector<Waypoint> places(work.last - work.first, {last.x, last.y, begins});
+    ahead.erase(ahead.begin() + 1, ahead.begin() + std::ptrdiff_t(end));
+    ahead.insert(ahead.begin() + 1, places.begin(), places.end());
+    position.next = work.first;
+    position.on_time = false;
+}
+
 // When the work is done, if it is done or has begun by `decided`.
 std::optional<double> done_at(const Report& report, const Work& work, const Position& position, const Breach& breach) {
     if (position.has_passed(work.last)) return std::min(breach.cleared_at, report.state.now);
@@ -94,13 +119,17 @@ std::vector<Position> positions_of(const Report& report) {
         if (agent.kind == AgentKind::air)
             fly_round_zones(report.map, report.mission.agents[positions.size() - 1], positions.back());
     }
-    // Work that has begun late ends when it is said to.
     for (const Breach& breach : report.plan.breaches) {
         const auto said = std::ranges::find(report.state.opened, breach.obstacle, &TimedOpening::obstacle);
         const std::optional<Work> work = work_of(report, breach);
-        if (said == report.state.opened.end() || said->at <= report.state.now || !work) continue;
+        if (!work || !is_at_work(*work, positions[work->agent])) continue;
         Position& position = positions[work->agent];
-        if (!is_at_work(*work, position)) continue;
+        if (said == report.state.opened.end()) {
+            if (has_left_off(report, *work, position)) begin_again(report, breach, *work, position);
+            continue;
+        }
+        // Work that has begun late ends when it is said to.
+        if (said->at <= report.state.now) continue;
         const double later = said->at - position.ahead[end_ahead(*work, position)].t;
         if (same_time(later, 0)) continue;
         position.on_time = false;

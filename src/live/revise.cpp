@@ -33,6 +33,15 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // What planning gets even where the time is over.
 constexpr double least_seconds = 1e-3;
 
+// With the goals that agents are sent to now.
+Mission sent_on(const State& state, Mission mission) {
+    for (Agent& agent : mission.agents) {
+        const auto said = std::ranges::find(state.agents, agent.id, &AgentState::id);
+        if (said != state.agents.end()) agent.goal = said->goal.value_or(agent.goal);
+    }
+    return mission;
+}
+
 // Whether an agent takes no further part.
 bool is_out(const Position& position) {
     return position.doing == Doing::lost || position.doing == Doing::stopped;
@@ -247,14 +256,16 @@ void keep_if_no_worse(const Report& report, std::span<const Position> positions,
     const Objective objective = left.rules.objective;
     if (!rest || reached(*rest, objective) > reached(next.plan, objective) * (1 + 1e-9)) return;
     // What is proven is of agents that are free at the same places.
+    bool opens_on_bases = false;
     if (!same_bases(placed, next.mission)) {
         const std::vector<Outlook> all = with_breaches_on_bases(report, outlooks, placed);
         Mission decided = live::left_of(report, all);
         if (!place_agents(report, positions, all, known, Placing::as_planned, decided)) return;
         next.plan = plan(decided);
+        opens_on_bases = decided.rules.opened.size() > placed.rules.opened.size();
     }
     live::compare(*rest, next.plan, objective);
-    if (next.plan.status != PlanStatus::solved) rest->before = alone(placed, plan);
+    if (next.plan.status != PlanStatus::solved || opens_on_bases) rest->before = alone(placed, plan);
     add_waits(next.map, placed, *rest);
     add_orders(next.map, placed, *rest);
     next.status = RevisionStatus::kept;
@@ -305,7 +316,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             stopped.push_back({positions[i].at, mission.agents[i].body});
     }
     const std::vector<Found> found = live::found_by(map, state, stopped);
-    Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
+    Revision next{RevisionStatus::no_plan, laid_over(map, found), sent_on(state, left)};
     next.plan = no_plan_of(left);
     const live::Closed known = live::closed_at(next.map, left, state.now);
     Revised revised = after(plan, state, found);

@@ -83,6 +83,11 @@ void validate(const Map& map, const Mission& mission, const Plan& plan, const St
             std::ranges::find(plan.breaches, failure.obstacle, &Breach::obstacle) != plan.breaches.end();
         if (!is_planned && !had_begun(mission, plan, failure))
             refuse(ErrorCode::contradiction, id, "the breach of obstacle " + id + " failed, and the plan has none");
+        if (std::ranges::count(state.failed, failure.obstacle, &TimedOpening::obstacle) > 1)
+            refuse(ErrorCode::contradiction, id,
+                   "the breach of obstacle " + id +
+                       " failed more than once: report the first failure, and what "
+                       "happens in the plan after it");
         if (std::ranges::find(state.opened, failure.obstacle, &TimedOpening::obstacle) != state.opened.end())
             refuse(ErrorCode::contradiction, id, "obstacle " + id + " opened, and its breach failed");
     }

@@ -158,7 +158,7 @@ Plan finished(const Map& map, const Mission& mission, Plan plan) {
     if (plan.status != PlanStatus::solved) return plan;
     const bool is_under_way =
         std::ranges::any_of(mission.agents, [](const Agent& agent) { return !agent.approach.empty(); });
-    if (!mission.clears()) begin_on_approach(mission, plan);
+    begin_on_approach(mission, plan);
     if (mission.clears() || is_under_way) add_entries(map, mission, plan);
     for (std::size_t i = 0; i < mission.agents.size(); ++i) {
         Itinerary& itinerary = plan.agents[i];

@@ -49,6 +49,32 @@ RC_GTEST_PROP(ReviseClearing, AfterAFailedBreachTheRestIsValid, ()) {
     RC_ASSERT(revision_faults(old, next) == "");
 }
 
+// An aircraft that has landed, and may not breach any more, stands where it is.
+TEST(ReviseClearing, AnAircraftThatIsHomeBeginsThere) {
+    const Map map = Map::from_rows({
+        "....A....",
+        "....A....",
+        "....A....",
+        "....A....",
+        ".........",
+    });
+    Mission mission{
+        {vehicle("dozer", {0, 1}, {8, 1}), vehicle("rover", {0, 3}, {8, 3}), aircraft("air", {0, 1}, {3, 1})}, {}};
+    mission.agents[0].own_breaches = 1;
+    mission.agents[1].speed = 0.5;
+    mission.agents[2].speed = 2;
+    mission.agents[2].breaches = 1;
+    mission.rules.removals = 1;
+    Underway old{map, mission, Planner().plan(map, mission)};
+    ASSERT_EQ(old.plan.breaches.size(), 1U);
+    ASSERT_EQ(old.plan.breaches[0].by, "air");
+    old.state = {.sequence = 1, .now = 5, .agents = {{.id = "rover", .passed = 0, .at = Point(1, 3)}}};
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    ASSERT_EQ(next.plan.status, PlanStatus::solved);
+    EXPECT_EQ(revision_faults(old, next), "");
+}
+
 RC_GTEST_PROP(ReviseClearing, AfterAnyNewsTheRestIsValid, ()) {
     expect_valid_after_any_news(any_clearing_underway());
 }

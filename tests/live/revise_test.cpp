@@ -107,6 +107,61 @@ TEST(Revise, WhatHasToGoIsTriedAgainAsOftenAsItMay) {
     }
 }
 
+// A rover before a wall, and an aircraft that is at its breach of it from 1.5 to 3.5.
+Underway at_a_wall(double now) {
+    const Map map = Map::from_rows({"....A....", "....A....", "....A....", "....A....", "........."});
+    Mission mission = ground_and_air({0, 1}, {8, 1});
+    mission.agents[1].speed = 2;
+    mission.rules.removals = 1;
+    mission.rules.breach_time.per_obstacle = 2;
+    Underway old{map, mission, Planner().plan(map, mission)};
+    EXPECT_EQ(old.plan.breaches.size(), 1U);
+    EXPECT_EQ(old.plan.breaches[0].cleared_at, 3.5);
+    old.state = {.sequence = 1, .now = now};
+    return old;
+}
+
+TEST(Revise, ABreachThatWasLeftOffBeginsAgain) {
+    const AgentState waits{.id = "air", .passed = 1, .doing = Doing::waiting};
+    const AgentState is_away{.id = "air", .passed = 1, .at = Point(1, 1)};
+    for (const AgentState& said : {waits, is_away}) {
+        Underway old = at_a_wall(2.5);
+        old.state.agents = {said, {.id = "ground", .passed = 0, .at = Point(1, 1), .doing = Doing::waiting}};
+        Planner planner;
+        const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+        EXPECT_TRUE(next.mission.rules.opened.empty());
+        EXPECT_EQ(revision_faults(old, next), "");
+        ASSERT_EQ(next.plan.breaches.size(), 1U);
+        const double back = said.at ? 1 : 0;
+        EXPECT_NEAR(next.plan.breaches[0].cleared_at, 2.5 + back + 2, 1e-9);
+    }
+}
+
+TEST(Revise, WithoutAPlanTheRestIsStatedAsItIs) {
+    Underway old = at_a_wall(2.5);
+    old.state.agents = {{.id = "ground", .passed = 0, .doing = Doing::stopped}, {.id = "air", .passed = 1}};
+    Planner planner;
+    Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    EXPECT_EQ(next.status, RevisionStatus::no_plan);
+    EXPECT_EQ(revision_faults(old, next), "");
+    old = at_a_wall(0.5);
+    old.state.agents = {{.id = "ground", .passed = 0, .doing = Doing::stopped},
+                        {.id = "air", .passed = 0, .goal = Cell{0, 4}}};
+    next = revise(planner, old.map, old.mission, old.plan, old.state);
+    EXPECT_EQ(next.status, RevisionStatus::no_plan);
+    EXPECT_EQ(revision_faults(old, next), "");
+}
+
+TEST(Revise, RefusesAFailureThatIsReportedTwiceAtOnce) {
+    Underway old = at_a_wall(4);
+    old.state.failed = {{ObstacleId{1}, 3.5}, {ObstacleId{1}, 3.9}};
+    Planner planner;
+    EXPECT_NE(input_error([&] {
+                  (void)revise(planner, old.map, old.mission, old.plan, old.state);
+              }).find("failed more than once"),
+              std::string::npos);
+}
+
 TEST(Revise, RefusesStatesThatCannotBe) {
     const Map map = Map::from_rows({"..A..", "..A..", "..A.."});
     const Mission mission = ground_and_air({0, 1}, {4, 1});

@@ -143,6 +143,9 @@ inline Underway any_clearing(int side, int most_retries, Left left = Left::nothi
     const PlainMap plain = *random_map(side, side);
     Underway drawn{Map(plain.grid()), any_mission(plain, 3, most_retries)};
     drawn.mission.agents.front().own_breaches = *number(1, 3);
+    for (Agent& agent : drawn.mission.agents) {
+        if (agent.kind == AgentKind::air) agent.breaches = *rc::gen::element(any_number, any_number, 1);
+    }
     leave(left, drawn.mission);
     limit_some(drawn.map, drawn.mission);
     try {
@@ -223,6 +226,11 @@ inline void report_any_news(Underway& mission) {
         }
         if (agent.kind == AgentKind::air && *number(0, 3) == 0) said.doing = Doing::lost;
         if (agent.kind == AgentKind::ground && *number(0, 7) == 0) said.doing = Doing::stopped;
+        if (agent.kind == AgentKind::ground || said.doing == Doing::lost) continue;
+        if (*number(0, 3) == 0) said.doing = Doing::waiting;
+        // Somewhere else.
+        if (then < agent.path.back().t && *number(0, 7) == 0)
+            said.at = Point(*number(0, mission.map.width() - 1), *number(0, mission.map.height() - 1));
     }
     if (mostly()) {
         const Cell cell{*number(0, mission.map.width() - 1), *number(0, mission.map.height() - 1)};
@@ -249,8 +257,8 @@ inline void expect_valid_after_any_news(Underway old) {
         RC_CLASSIFY(next.status == RevisionStatus::kept);
         RC_CLASSIFY(next.status == RevisionStatus::broken);
         RC_CLASSIFY(next.status == RevisionStatus::no_plan);
-        if (next.plan.status != PlanStatus::solved) return;
         RC_ASSERT(revision_faults(old, next) == "");
+        if (next.plan.status != PlanStatus::solved) return;
         const double since = old.state.now;
         old = {next.map, next.mission, next.plan, {}};
         old.state.now = since + *number(0, 6);
