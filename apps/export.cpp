@@ -75,7 +75,9 @@ void run(const ExportOptions& options) {
         throw InputError(options.plan, 0, "has no plan, by which --reach could say what is reached");
     auto files = export_plan(options.exports, plan.plan, map, plan.asked);
     if (!options.html.empty()) files.emplace_back(options.html, html(options, text, plan, map));
-    for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
+    NamedFiles read = files_of_map(options.map, map);
+    read.emplace_back("PLAN", options.plan);
+    write_beside(files, read);
 }
 
 }  // namespace

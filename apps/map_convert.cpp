@@ -28,9 +28,10 @@ io::MapFile read_map(const MapConvertOptions& options) {
 
 void run(const MapConvertOptions& options) {
     keep_inputs({{"OUT", options.out}}, {{"IN", options.in}});
+    const io::MapFile map = read_map(options);
     const mapfile::WrittenMap written =
-        mapfile::write_map(mapfile::without_obstacles(read_map(options), options.without), options.out);
-    for (const mapfile::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
+        mapfile::write_map(mapfile::without_obstacles(map, options.without), options.out);
+    write_beside(written.files, files_of_map(options.in, map));
     report_losses(options.out, written.losses);
 }
 

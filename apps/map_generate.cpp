@@ -30,7 +30,7 @@ struct MapGenerateOptions {
 void run(const MapGenerateOptions& options) {
     const io::MapFile file{.map = make_terrain(options.terrain, options.terrain_options)};
     const mapfile::WrittenMap written = mapfile::write_map(file, options.output);
-    for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
+    write_beside(written.files, {});
     report_losses(options.output, written.losses);
     if (options.output == "-") return;
     io::write_whole("-",

@@ -45,7 +45,7 @@ void run(const MapOverlayOptions& options) {
     keep_inputs({{"--output", options.out}}, inputs);
     const auto [file, reports] = lay_over(overlays, read_map(options.in), options.costs);
     const mapfile::WrittenMap written = mapfile::write_map(file, options.out);
-    for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
+    write_beside(written.files, inputs);
     report_losses(options.out, written.losses);
     note_overlays(reports);
     io::write_whole("-", overlay_summary(reports, file.cell_size) +

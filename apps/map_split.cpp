@@ -64,7 +64,7 @@ void run(const MapSplitOptions& options) {
     const int side = side_on(file, options.section);
     file = mapfile::in_sections(std::move(file), {.side = side, .origin = options.origin.value_or(Cell{})});
     const mapfile::WrittenMap written = mapfile::write_map(file, options.out);
-    for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
+    write_beside(written.files, {{"MAP", options.in}});
     report_losses(options.out, written.losses);
     io::write_whole("-", split_summary(file, options.out, side));
 }

@@ -115,6 +115,28 @@ void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs) {
     }
 }
 
+NamedFiles files_of_map(const std::string& path, const io::MapFile& map) {
+    NamedFiles files{{"MAP", path}};
+    if (map.ros)
+        files.emplace_back("the image of MAP",
+                           (std::filesystem::path(path).parent_path() / map.ros->yaml.image).string());
+    return files;
+}
+
+void write_beside(const std::vector<mapfile::OutputFile>& files, const NamedFiles& inputs) {
+    NamedFiles outputs;
+    for (const mapfile::OutputFile& file : files) outputs.emplace_back("this", file.path);
+    keep_inputs(outputs, inputs);
+    for (const mapfile::OutputFile& file : files) io::write_whole(file.path, file.bytes);
+}
+
+void write_beside(const std::vector<std::pair<std::string, std::string>>& files, const NamedFiles& inputs) {
+    NamedFiles outputs;
+    for (const auto& [path, bytes] : files) outputs.emplace_back("this", path);
+    keep_inputs(outputs, inputs);
+    for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
+}
+
 void validate_outputs(const NamedFiles& outputs, const NamedFiles& inputs) {
     keep_inputs(outputs, inputs);
     for (std::size_t i = 0; i < outputs.size(); ++i) {

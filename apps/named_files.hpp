@@ -6,6 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/map_file.hpp"
+#include "mapfile/map_writer.hpp"
+
 namespace waybreaker::apps {
 
 // Options and the files they name; empty where none is given.
@@ -21,6 +24,13 @@ void require_ending(const std::string& option, const std::string& path, const st
 
 // Throws InputError if one writes what is read.
 void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs);
+
+// What a map was read from: its file, and the image that a ROS map names.
+NamedFiles files_of_map(const std::string& path, const io::MapFile& map);
+
+// Writes each file whole. Throws InputError before the first if one was read.
+void write_beside(const std::vector<mapfile::OutputFile>& files, const NamedFiles& inputs);
+void write_beside(const std::vector<std::pair<std::string, std::string>>& files, const NamedFiles& inputs);
 
 // Throws InputError if two options write the same file, or one writes what is read, or a name ends as the files of
 // another option do: `--svg plan.png`.

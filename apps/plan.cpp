@@ -179,7 +179,9 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         const TableStyle style{.metres = file.has_metres(), .bold = wants_bold()};
         outputs.emplace_back("-", plan_table(plan, context, style) + report);
     }
-    for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
+    NamedFiles read = files_of_map(options.map, file);
+    for (const site::OverlaySource& overlay : asked.overlays) read.emplace_back("an overlay", overlay.file);
+    write_beside(outputs, read);
 }
 
 [[noreturn]] void report_no_team_plan(const Plan& plan, const Mission& mission) {

@@ -60,7 +60,8 @@ void JsonField::allow(std::initializer_list<std::string_view> names) const {
         std::string known;
         for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
         const std::size_t object = value_at(document_->text, place_);
-        fail_at(name_at(document_->text, object, key), "has a member that is none of " + known);
+        fail_at(name_at(document_->text, object, key),
+                "has a member " + in_quotes(key) + ", which is none of " + known);
     }
 }
 

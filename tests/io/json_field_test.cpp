@@ -59,7 +59,7 @@ TEST(JsonField, SaysWhereItStands) {
     EXPECT_EQ(at([](const JsonField& root) {
                   root["a"].allow({"]\"}", "b"});
               }),
-              "f.json:2:22: a has a member that is none of ]\"}, b")
+              "f.json:2:22: a has a member 'b.c', which is none of ]\"}, b")
         << "the member's name";
 }
 

@@ -215,10 +215,10 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal(named(hundred)), "");
     EXPECT_EQ(refusal(named(hundred + "x")), "m.json:1:54: agents[0].id has more than 100 characters");
     EXPECT_EQ(refusal(named("a\u202eb")), "m.json:1:54: agents[0].id holds control characters");
-    EXPECT_EQ(
-        says(R"("removals": 2)"),
-        "the document has a member that is none of format, map, overlays, time_unit, agents, rules, method, limits, "
-        "page");
+    EXPECT_EQ(says(R"("removals": 2)"),
+              "the document has a member 'removals', which is none of format, map, overlays, time_unit, agents, rules, "
+              "method, limits, "
+              "page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
     EXPECT_EQ(says(R"("rules": {"protect": [1, "=b"]})"),

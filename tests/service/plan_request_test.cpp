@@ -103,7 +103,7 @@ TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal(R"({"options": {"moves": 6}})"), "request:1:23: options.moves is neither 4 nor 8");
     EXPECT_EQ(refusal(R"({"options": {"removals": 33}})"), "request:1:26: options.removals is not between 0 and 32");
     EXPECT_EQ(refusal(R"({"plan": 1})"),
-              "request:1:2: the document has a member that is none of mission, options, methods, no_timing");
+              "request:1:2: the document has a member 'plan', which is none of mission, options, methods, no_timing");
     EXPECT_EQ(refusal(R"({"methods": []})"), "request:1:13: methods names no method; leave it out for the usual ones");
     EXPECT_EQ(refusal(R"({"options": {"weights": [[1, 2], [2, 1], [1, 3]]}})"),
               "request:1:43: options.weights[2][0] has a weight already");
