@@ -32,14 +32,18 @@ std::optional<Work> work_of(const Report& report, const Breach& breach) {
         const Obstacle& obstacle = report.map.obstacle(breach.obstacle);
         const double begun =
             breach.cleared_at - time_to_breach(report.mission.agents[i], obstacle, report.mission.rules);
-        for (std::size_t last = 0; last < path.size(); ++last) {
+        std::optional<std::size_t> last;
+        const auto off = [&](std::size_t point) { return std::abs(path[point].t - breach.cleared_at); };
+        for (std::size_t point = 0; point < path.size(); ++point) {
             // A ground agent stops on a move.
-            if (flies && (path[last].x != breach.at.x || path[last].y != breach.at.y)) continue;
-            if (!same_time(path[last].t, breach.cleared_at)) continue;
-            std::size_t first = last;
-            while (first > 0 && same_place(path[first - 1], path[last]) && !before(path[first].t, begun)) --first;
-            return Work{i, first, last};
+            if (flies && (path[point].x != breach.at.x || path[point].y != breach.at.y)) continue;
+            if (!same_time(path[point].t, breach.cleared_at)) continue;
+            if (!last || off(point) < off(*last)) last = point;
         }
+        if (!last) continue;
+        std::size_t first = *last;
+        while (first > 0 && same_place(path[first - 1], path[*last]) && !before(path[first].t, begun)) --first;
+        return Work{i, first, *last};
     }
     return std::nullopt;
 }
@@ -122,7 +126,8 @@ std::vector<Position> positions_of(const Report& report) {
     for (const Breach& breach : report.plan.breaches) {
         const auto said = std::ranges::find(report.state.opened, breach.obstacle, &TimedOpening::obstacle);
         const std::optional<Work> work = work_of(report, breach);
-        if (!work || !is_at_work(*work, positions[work->agent])) continue;
+        if (!work || !is_at_work(*work, positions[work->agent]) || is_among(report.state.failed, breach.obstacle))
+            continue;
         Position& position = positions[work->agent];
         if (said == report.state.opened.end()) {
             if (has_left_off(report, *work, position)) begin_again(report, breach, *work, position);

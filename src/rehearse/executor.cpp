@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -331,7 +332,7 @@ class Execution {
     // Everybody goes on with another script, from where it is.
     void adopt(std::vector<Script> scripts) {
         happened_.assign(plan_->orders.size(), false);
-        foresight_.emplace(*map_, *mission_);
+        foresight_ = std::make_unique<const Foresight>(*map_, *mission_);
         for (std::size_t i = 0; i < acting_.size(); ++i) {
             Actor& actor = actors_[acting_[i]];
             actor.planned_as = i;
@@ -369,7 +370,7 @@ class Execution {
     const Map* map_;
     const Mission* mission_;
     const Plan* plan_;
-    std::optional<Foresight> foresight_;
+    std::unique_ptr<const Foresight> foresight_;
     std::vector<Actor> actors_;         // of the first plan
     std::vector<std::size_t> acting_;   // those of the plan, in its order
     std::vector<bool> happened_;        // the first event of each order
