@@ -64,6 +64,7 @@ bool is_at_work(const Work& work, const Position& position) {
 // Whether an agent that is to be at work by now waits, or is somewhere else.
 bool has_left_off(const Report& report, const Work& work, const Position& position) {
     constexpr double beside = 0.5;  // cells: who leaves, or comes, is beside the place of its breach
+    if (position.doing == Doing::breaching) return false;
     const Itinerary& agent = report.plan.agents[work.agent];
     const Waypoint& place = agent.path[work.last];
     const bool is_away = agent.kind == AgentKind::air && distance(position.at, Point(place.x, place.y)) > beside;

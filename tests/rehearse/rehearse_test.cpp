@@ -280,6 +280,23 @@ TEST(Rehearse, WhoIsLateWaitsUntilAZoneIsOver) {
     EXPECT_NEAR(late.makespan, 35 + 3, 1e-3);  // late once more, when it leaves at last
 }
 
+// It turns in the zone, at a place that it leaves late.
+TEST(Rehearse, WhoIsLateInAZoneIsCaughtThereAndGoesOn) {
+    const Map map = Map::from_rows({"....", "@@@.", "@@@.", "@@@.", "@@@."});
+    Mission mission = ground_and_air({0, 0}, {3, 4});
+    mission.rules.removals = 0;
+    mission.rules.zones = {
+        {.kind = ZoneKind::keep_out, .polygon = {{{1.5, -1}, {4, -1}, {4, 1.5}, {1.5, 1.5}}}, .from = 7.5}};
+    const Rehearsable drawn{map, mission, Planner().plan(map, mission)};
+    ASSERT_EQ(drawn.plan.after.makespan, 7);
+    const Rehearsal rehearsal =
+        rehearse(drawn.map, drawn.mission, drawn.plan, {.delay = {DelayKind::fixed, 2}, .runs = 1});
+    EXPECT_EQ(rehearsal.caught, 1);
+    EXPECT_EQ(rehearsal.illegal, 0) << rehearsal.runs.front().fault;
+    EXPECT_EQ(rehearsal.arrived, 1);
+    EXPECT_EQ(rehearsal.revisions, 0);
+}
+
 TEST(Rehearse, CountsWhatHappens) {
     const Rehearsable drawn = crossing();
     const auto played = [&](const RehearsalOptions& options) {

@@ -123,7 +123,7 @@ TEST_F(ImportsTest, SaysWhatIsWrongWithARequest) {
     const std::string id = sent();
     EXPECT_EQ(type_of({{"source", "source-0"}}, 404), "/problems/source-not-found");
     EXPECT_EQ(detail_of(Json::object()), "import:1:1: the document has no member source");
-    EXPECT_NE(detail_of({{"source", id}, {"cells", 2}}).find("a member that is none of source, center"),
+    EXPECT_NE(detail_of({{"source", id}, {"cells", 2}}).find("a member 'cells', which is none of source, center"),
               std::string::npos);
     EXPECT_NE(detail_of({{"source", id}, {"profile", "tank"}}).find("rover, truck, walker, paper"), std::string::npos);
     EXPECT_NE(detail_of({{"source", id}, {"center", {9}}}).find("[longitude, latitude]"), std::string::npos);
