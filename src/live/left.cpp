@@ -23,6 +23,21 @@ struct Work {
     std::size_t last;
 };
 
+// Of the points at about that time the nearest in time; behind the last if there is none.
+std::size_t end_of_work(const Itinerary& agent, const Breach& breach) {
+    const std::vector<Waypoint>& path = agent.path;
+    std::size_t end = path.size();
+    for (std::size_t point = 0; point < path.size(); ++point) {
+        // A ground agent stops on a move.
+        const bool is_there = path[point].x == breach.at.x && path[point].y == breach.at.y;
+        if (agent.kind == AgentKind::air && !is_there) continue;
+        const double off = std::abs(path[point].t - breach.cleared_at);
+        if (!same_time(path[point].t, breach.cleared_at)) continue;
+        if (end == path.size() || off < std::abs(path[end].t - breach.cleared_at)) end = point;
+    }
+    return end;
+}
+
 std::optional<Work> work_of(const Report& report, const Breach& breach) {
     for (std::size_t i = 0; i < report.plan.agents.size(); ++i) {
         const Itinerary& agent = report.plan.agents[i];
@@ -32,18 +47,11 @@ std::optional<Work> work_of(const Report& report, const Breach& breach) {
         const Obstacle& obstacle = report.map.obstacle(breach.obstacle);
         const double begun =
             breach.cleared_at - time_to_breach(report.mission.agents[i], obstacle, report.mission.rules);
-        std::optional<std::size_t> last;
-        const auto off = [&](std::size_t point) { return std::abs(path[point].t - breach.cleared_at); };
-        for (std::size_t point = 0; point < path.size(); ++point) {
-            // A ground agent stops on a move.
-            if (flies && (path[point].x != breach.at.x || path[point].y != breach.at.y)) continue;
-            if (!same_time(path[point].t, breach.cleared_at)) continue;
-            if (!last || off(point) < off(*last)) last = point;
-        }
-        if (!last) continue;
-        std::size_t first = *last;
-        while (first > 0 && same_place(path[first - 1], path[*last]) && !before(path[first].t, begun)) --first;
-        return Work{i, first, *last};
+        const std::size_t last = end_of_work(agent, breach);
+        if (last == path.size()) continue;
+        std::size_t first = last;
+        while (first > 0 && same_place(path[first - 1], path[last]) && !before(path[first].t, begun)) --first;
+        return Work{i, first, last};
     }
     return std::nullopt;
 }

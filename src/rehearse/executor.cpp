@@ -236,12 +236,6 @@ class Execution {
         return std::ranges::find(events_.opened, id, &TimedOpening::obstacle) != events_.opened.end();
     }
 
-    // Whether the plan takes it to open by itself.
-    bool is_counted_on(ObstacleId id) const {
-        const auto& opened = mission_->rules.opened;
-        return std::ranges::find(opened, id, &TimedOpening::obstacle) != opened.end();
-    }
-
     void signal(Actor& actor) {
         const std::vector<std::size_t>& signals = actor.here().signals;
         for (const std::size_t k : signals) happened_[k] = true;
@@ -260,7 +254,7 @@ class Execution {
         log(actor);
         // The plan counts on a breach that had begun before it was made.
         for (const ObstacleId id : actor.work) {
-            if (is_counted_on(id)) failed_.push_back({id, now_});
+            if (opens_by_itself(mission_->rules, id)) failed_.push_back({id, now_});
         }
         actor.work.clear();
         actor.lost_at = actor.at(now_);
@@ -289,7 +283,7 @@ class Execution {
             for (const ObstacleId id : actor.work) state.opened.push_back({id, actor.until});
         }
         for (const TimedOpening& opening : events_.opened) {
-            if (!is_counted_on(opening.obstacle)) state.opened.push_back(opening);
+            if (!opens_by_itself(mission_->rules, opening.obstacle)) state.opened.push_back(opening);
         }
         state.failed = std::exchange(failed_, {});
         state.found = std::exchange(found_, {});

@@ -120,6 +120,10 @@ void keep_times(const std::vector<Waypoint>& path, Script& script) {
 
 }  // namespace
 
+bool opens_by_itself(const Rules& rules, ObstacleId id) {
+    return std::ranges::find(rules.opened, id, &TimedOpening::obstacle) != rules.opened.end();
+}
+
 std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Plan& plan,
                                const std::vector<ObstacleId>& standing) {
     std::vector<Script> scripts(plan.agents.size());

@@ -28,6 +28,9 @@ struct Stop {
 
 using Script = std::vector<Stop>;
 
+// Whether a plan by these rules counts on that obstacle to open without it.
+bool opens_by_itself(const Rules& rules, ObstacleId id);
+
 // Of each agent of the plan. `standing`: obstacles that others are at work on, which are to open. `map`: as known then.
 std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Plan& plan,
                                const std::vector<ObstacleId>& standing);
