@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "commands.hpp"
 #include "help.hpp"
@@ -12,6 +13,7 @@
 #include "io/plan_file.hpp"
 #include "mapfile/map_reader.hpp"
 #include "option.hpp"
+#include "overlay_options.hpp"
 #include "page_planner.hpp"
 #include "plan_exports.hpp"
 #include "progress.hpp"
@@ -27,24 +29,24 @@ struct ExportOptions {
     PlanExports exports;
     std::string html;
     SteerableOptions steerable;
+    OverlayOptions overlays;
     bool ignore_digest = false;
 };
 
-io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
+io::MapFile read_map(const ExportOptions& options, const std::vector<city::OverlaySource>& overlays,
+                     const io::PlanFile& plan) {
     const Progress progress("reading " + io::input_name(options.map));
-    return io::known_map(mapfile::read_map_file(options.map, plan.connectivity, plan.image), plan.plan);
+    return io::known_map(to_plan_on(overlays, mapfile::read_map_file(options.map, plan.connectivity, plan.image)),
+                         plan.plan);
 }
 
 // Writers trust a plan, so one that comes from a file is checked first.
 void require_valid(const ExportOptions& options, const io::PlanFile& plan, const io::MapFile& map) {
-    if (plan.width != map.map.width() || plan.height != map.map.height() ||
-        (plan.digest != map.digest && !options.ignore_digest)) {
-        throw InputError(options.plan, 0, "was made for another map file (see waybreaker check, and --ignore-digest)");
-    }
-    if (!io::judge(plan, map, {.ignore_digest = options.ignore_digest}).empty()) {
-        throw InputError(options.plan, 0,
-                         fmt::format("is not valid: see waybreaker check {} {}", options.map, options.plan));
-    }
+    const std::vector<Violation> violations = io::judge(plan, map, {.ignore_digest = options.ignore_digest});
+    if (violations.empty()) return;
+    const std::string name = io::input_name(options.plan);
+    if (violations.front().rule == Rule::map) throw InputError(name, 0, violations.front().message);
+    throw InputError(name, 0, fmt::format("is not valid: see waybreaker check {} {}", options.map, options.plan));
 }
 
 std::string html(const ExportOptions& options, const std::string& text, const io::PlanFile& plan,
@@ -59,7 +61,9 @@ void run(const ExportOptions& options) {
     validate(options.exports);
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
-    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
+    const std::vector<city::OverlaySource> overlays = overlays_of(options.overlays);
+    NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
+    for (const city::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
@@ -69,15 +73,14 @@ void run(const ExportOptions& options) {
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);
-    const io::MapFile map = read_map(options, plan);
+    const io::MapFile map = read_map(options, overlays, plan);
     require_valid(options, plan, map);
     if (!options.exports.reach.empty() && plan.plan.status != PlanStatus::solved)
         throw InputError(options.plan, 0, "has no plan, by which --reach could say what is reached");
     auto files = export_plan(options.exports, plan.plan, map, plan.asked);
-    if (!options.html.empty()) files.emplace_back(options.html, html(options, text, plan, map));
-    NamedFiles read = files_of_map(options.map, map);
-    read.emplace_back("PLAN", options.plan);
-    write_beside(files, read);
+    if (!options.html.empty()) files.push_back({options.html, html(options, text, plan, map)});
+    std::ranges::move(files_of_map(options.map, map), std::back_inserter(inputs));
+    write_beside(files, inputs);
 }
 
 }  // namespace
@@ -94,6 +97,7 @@ void setup_export(CLI::App& root, Run& run_chosen) {
     add_plan_exports(*command, options->exports);
     add_file(*command, "--html", options->html, "Write a page for a browser that plays the plan");
     add_steerable(*command, options->steerable);
+    add_overlay_options(*command, options->overlays);
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",

@@ -99,20 +99,20 @@ NamedFiles named_outputs(const FieldExports& exports) {
     return {{"--gpx", exports.gpx}, {"--kml", exports.kml}, {"--qgc", exports.qgc}, {"--vda5050", exports.vda5050}};
 }
 
-std::vector<std::pair<std::string, std::string>> export_plan(const FieldExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const io::MissionDocument& asked) {
+std::vector<io::OutputFile> export_plan(const FieldExports& exports, const Plan& plan, const io::MapFile& map,
+                                        const io::MissionDocument& asked) {
     const exports::PlacedPlan placed{.plan = plan,
                                      .map = map,
                                      .to_lon_lat = geotiff::lon_lat_of(map.georeference),
                                      .starts_at = exports.starts_at,
                                      .altitude = exports.altitude,
                                      .zones = asked.mission.rules.zones};
-    std::vector<std::pair<std::string, std::string>> files;
-    if (!exports.gpx.empty()) files.emplace_back(exports.gpx, exports::plan_gpx(placed));
-    if (!exports.kml.empty()) files.emplace_back(exports.kml, exports::plan_kml(placed));
+    std::vector<io::OutputFile> files;
+    if (!exports.gpx.empty()) files.push_back({exports.gpx, exports::plan_gpx(placed)});
+    if (!exports.kml.empty()) files.push_back({exports.kml, exports::plan_kml(placed)});
     if (!exports.qgc.empty())
         std::ranges::move(plan_qgc(placed, exports.qgc, exports.breach), std::back_inserter(files));
-    if (!exports.vda5050.empty()) files.emplace_back(exports.vda5050, exports::plan_vda5050(placed, asked.mission));
+    if (!exports.vda5050.empty()) files.push_back({exports.vda5050, exports::plan_vda5050(placed, asked.mission)});
     if (!files.empty() && !asked.in_seconds) {
         note(option_of(exports),
              "a unit of the plan's time counts as a second; give speeds such as 1.5m/s to plan in seconds");

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "exports/mav_command.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
+#include "io/output_file.hpp"
 #include "named_files.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -34,8 +34,8 @@ void validate(const FieldExports& exports);
 
 NamedFiles named_outputs(const FieldExports& exports);
 
-// Path and bytes of each file. Precondition: the plan is one for this map, whatever was asked.
-std::vector<std::pair<std::string, std::string>> export_plan(const FieldExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const io::MissionDocument& asked);
+// Precondition: the plan is one for this map, whatever was asked.
+std::vector<io::OutputFile> export_plan(const FieldExports& exports, const Plan& plan, const io::MapFile& map,
+                                        const io::MissionDocument& asked);
 
 }  // namespace waybreaker::apps

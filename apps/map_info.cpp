@@ -134,7 +134,7 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
     }
     if (file.origin) {
         const auto [x, y] = *file.origin;
-        text += line("origin", fmt::format("{:.6g}, {:.6g} (lower left, in metres)", x, y));
+        text += line("origin", fmt::format("{:.10g}, {:.10g} (lower left, in metres)", x, y));
     }
     if (file.task && file.task->start)
         text += line("start", fmt::format("{},{}", file.task->start->x, file.task->start->y));

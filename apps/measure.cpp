@@ -215,7 +215,7 @@ Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map) {
     const io::MapFrame frame(map);
     const Point low = frame.origin();
     const std::string extent =
-        fmt::format("from {:.6g},{:.6g} in its lower left to {:.6g},{:.6g}", low.x, low.y,
+        fmt::format("from {:.10g},{:.10g} in its lower left to {:.10g},{:.10g}", low.x, low.y,
                     low.x + map.map.width() * map.cell_size, low.y + map.map.height() * map.cell_size);
     return cell_on(map, frame.cell({place.numbers[0], place.numbers[1]}), place, extent);
 }

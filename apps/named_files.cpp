@@ -63,17 +63,22 @@ std::string ending_of(const std::string& path) {
     return lower(std::filesystem::path(path).extension().string());
 }
 
-void validate_name(const std::string& option, const std::string& path) {
+// `outputs`: all of the command.
+void validate_name(const std::string& option, const std::string& path, const NamedFiles& outputs) {
     const std::string extension = ending_of(path);
     const auto* const known = std::ranges::find(suffixes, extension, &Suffix::text);
     if (known == suffixes.end() || std::ranges::find(known->options, option) != known->options.end()) return;
+    const auto is_here = [&](std::string_view other) {
+        return std::ranges::find(outputs, other, &NamedFiles::value_type::first) != outputs.end();
+    };
+    const auto other = std::ranges::find_if(known->options, is_here);
     std::vector<std::string_view> own;
     for (const Suffix& suffix : suffixes) {
         if (std::ranges::find(suffix.options, option) != suffix.options.end()) own.push_back(suffix.text);
     }
     throw InputError(fmt::format(
         "{} does not write {} files, as {} would be: {}end the name in {}", option, extension, io::excerpt(path),
-        known->options.empty() ? "" : fmt::format("use {}, or ", known->options.front()), fmt::join(own, " or ")));
+        other == known->options.end() ? "" : fmt::format("use {}, or ", *other), fmt::join(own, " or ")));
 }
 
 std::string name_of(const std::string& path) {
@@ -123,18 +128,11 @@ NamedFiles files_of_map(const std::string& path, const io::MapFile& map) {
     return files;
 }
 
-void write_beside(const std::vector<mapfile::OutputFile>& files, const NamedFiles& inputs) {
+void write_beside(const std::vector<io::OutputFile>& files, const NamedFiles& inputs) {
     NamedFiles outputs;
-    for (const mapfile::OutputFile& file : files) outputs.emplace_back("this", file.path);
+    for (const io::OutputFile& file : files) outputs.emplace_back("this", file.path);
     keep_inputs(outputs, inputs);
-    for (const mapfile::OutputFile& file : files) io::write_whole(file.path, file.bytes);
-}
-
-void write_beside(const std::vector<std::pair<std::string, std::string>>& files, const NamedFiles& inputs) {
-    NamedFiles outputs;
-    for (const auto& [path, bytes] : files) outputs.emplace_back("this", path);
-    keep_inputs(outputs, inputs);
-    for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
+    for (const io::OutputFile& file : files) io::write_whole(file.path, file.bytes);
 }
 
 void validate_outputs(const NamedFiles& outputs, const NamedFiles& inputs) {
@@ -146,7 +144,7 @@ void validate_outputs(const NamedFiles& outputs, const NamedFiles& inputs) {
             if (path != outputs[j].second) continue;
             throw InputError(fmt::format("{} and {} cannot both write to {}", outputs[j].first, option, name_of(path)));
         }
-        validate_name(option, path);
+        validate_name(option, path, outputs);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/map_file.hpp"
-#include "mapfile/map_writer.hpp"
+#include "io/output_file.hpp"
 
 namespace waybreaker::apps {
 
@@ -29,8 +29,7 @@ void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs);
 NamedFiles files_of_map(const std::string& path, const io::MapFile& map);
 
 // Writes each file whole. Throws InputError before the first if one was read.
-void write_beside(const std::vector<mapfile::OutputFile>& files, const NamedFiles& inputs);
-void write_beside(const std::vector<std::pair<std::string, std::string>>& files, const NamedFiles& inputs);
+void write_beside(const std::vector<io::OutputFile>& files, const NamedFiles& inputs);
 
 // Throws InputError if two options write the same file, or one writes what is read, or a name ends as the files of
 // another option do: `--svg plan.png`.

@@ -16,7 +16,7 @@ std::string place_text(Cell cell, const PlanOptions& options, const io::MapFile&
     }
     if (options.map_metres) {
         const Point metres = io::MapFrame(map).metres(centre);
-        return fmt::format("{:.6g},{:.6g} (cell {},{})", metres.x, metres.y, cell.x, cell.y);
+        return fmt::format("{:.10g},{:.10g} (cell {},{})", metres.x, metres.y, cell.x, cell.y);
     }
     return fmt::format("{},{}", cell.x, cell.y);
 }

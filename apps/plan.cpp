@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -137,9 +138,8 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
 
 // Writes all outputs, standard output last, when all files are complete. `outputs`: what is known without a plan.
 // `report`: goes below the table.
-void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, const PlanOptions& options,
-                   const io::PlanContext& context, const Plan& explained, const std::string& report,
-                   const Limits& limits, const Deadline& deadline) {
+void write_outputs(std::vector<io::OutputFile> outputs, const PlanOptions& options, const io::PlanContext& context,
+                   const Plan& explained, const std::string& report, const Limits& limits, const Deadline& deadline) {
     Plan plan = explained;
     const io::MissionDocument& asked = context.asked;
     if (!asked.method.explain) {  // for the page alone
@@ -150,34 +150,34 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     const io::MapFile& file = context.map;
     render::PictureOptions picture = render::picture_options(file, asked, plan);
     if (!options.svg.empty() || !options.png.empty()) picture.reach = reach_of(file.map, asked.mission, plan);
-    if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
+    if (!options.json.empty()) outputs.push_back({options.json, io::plan_json(plan, context)});
     if (!options.svg.empty()) {
         render::PictureOptions moving = picture;
         moving.animate = options.animate;
-        outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, moving));
+        outputs.push_back({options.svg, render::svg(file.map, asked.mission, plan, moving)});
     }
     if (!options.png.empty())
-        outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture)));
+        outputs.push_back({options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture))});
     if (options.steerable.asked) {
-        outputs.emplace_back(options.html,
-                             studio::steerable_html(file, context.connectivity, io::plan_json(plan, context),
-                                                    packed_page_planner(options.steerable)));
+        outputs.push_back(
+            {options.html, studio::steerable_html(file, context.connectivity, io::plan_json(plan, context),
+                                                  packed_page_planner(options.steerable))});
     } else if (!options.html.empty()) {
-        outputs.emplace_back(options.html, html(context, explained, limits, deadline));
+        outputs.push_back({options.html, html(context, explained, limits, deadline)});
     }
     if (!options.trace.empty()) {
-        outputs.emplace_back(options.trace, trace(file.map, asked.mission, asked.method));
+        outputs.push_back({options.trace, trace(file.map, asked.mission, asked.method)});
     }
     Plan exported = plan;
     if (options.no_timing) {
         for (Route& route : exported.after.routes) route.seconds = 0;
     }
-    for (auto& output : export_plan(options.exports, exported, file, asked)) outputs.push_back(std::move(output));
+    std::ranges::move(export_plan(options.exports, exported, file, asked), std::back_inserter(outputs));
     const auto last =
-        std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
+        std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.path != "-"; });
     if (last == outputs.end() && plan.status == PlanStatus::solved) {
         const TableStyle style{.metres = file.has_metres(), .bold = wants_bold()};
-        outputs.emplace_back("-", plan_table(plan, context, style) + report);
+        outputs.push_back({"-", plan_table(plan, context, style) + report});
     }
     NamedFiles read = files_of_map(options.map, file);
     for (const site::OverlaySource& overlay : asked.overlays) read.emplace_back("an overlay", overlay.file);
@@ -287,9 +287,9 @@ void run(const PlanOptions& options) {
     io::MissionDocument asked = mission_of(options, std::move(given), file);
     require_failures_can_be_planned(options, asked.mission);
     if (auto weighed = io::settle(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
-    std::vector<std::pair<std::string, std::string>> outputs;
+    std::vector<io::OutputFile> outputs;
     if (!options.save_mission.empty())
-        outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
+        outputs.push_back({options.save_mission, saved_mission(asked, options.save_mission)});
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
     validate(search_options(asked.method, asked.mission.ground_body()));
     const std::string file_at_fault = io::input_name(options.mission.empty() ? options.map : options.mission);

@@ -23,7 +23,7 @@
 namespace waybreaker::apps {
 namespace {
 
-std::vector<mapfile::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
+std::vector<io::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     mapfile::WrittenMap written = mapfile::write_map(mapfile::without_obstacles(map, removed), path);
@@ -88,29 +88,26 @@ NamedFiles named_outputs(const PlanExports& exports) {
     return outputs;
 }
 
-std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const io::MissionDocument& asked) {
+std::vector<io::OutputFile> export_plan(const PlanExports& exports, const Plan& plan, const io::MapFile& map,
+                                        const io::MissionDocument& asked) {
     const io::ExportUnits units{.in_seconds = asked.in_seconds, .crs = mapfile::frame_crs(map)};
-    std::vector<std::pair<std::string, std::string>> files;
+    std::vector<io::OutputFile> files;
     if (!exports.geojson.empty())
-        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference), units));
+        files.push_back({exports.geojson, io::plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference), units)});
     if (!exports.csv.empty())
-        files.emplace_back(exports.csv, io::plan_csv(plan, map, geotiff::lon_lat_of(map.georeference), units));
-    if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
+        files.push_back({exports.csv, io::plan_csv(plan, map, geotiff::lon_lat_of(map.georeference), units)});
+    if (!exports.ros_path.empty()) files.push_back({exports.ros_path, io::plan_ros_path(plan, map, exports.step)});
     if (!exports.ros_parts.empty())
-        files.emplace_back(exports.ros_parts, io::plan_ros_parts(plan, map, asked.mission, exports.step));
+        files.push_back({exports.ros_parts, io::plan_ros_parts(plan, map, asked.mission, exports.step)});
     if (!exports.xml.empty()) {
         const SearchOptions search = search_options(asked.method, asked.mission.ground_body());
-        files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
+        files.push_back({exports.xml, authors::plan_xml(plan, map, search)});
     }
     // Without a plan nothing is reached; whoever asked says so.
     if (!exports.reach.empty() && plan.status == PlanStatus::solved)
-        files.emplace_back(exports.reach, reach_tiff(plan, map, asked));
-    if (!exports.opened_map.empty()) {
-        for (mapfile::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
-            files.emplace_back(std::move(file.path), std::move(file.bytes));
-        }
-    }
+        files.push_back({exports.reach, reach_tiff(plan, map, asked)});
+    if (!exports.opened_map.empty())
+        std::ranges::move(opened_map(exports.opened_map, plan, map), std::back_inserter(files));
     std::ranges::move(export_plan(exports.field, plan, map, asked), std::back_inserter(files));
     return files;
 }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -110,21 +112,18 @@ void run(const ReviseOptions& options) {
                                 {.seconds = options.seconds});
     }();
     const bool solved = next.plan.status == PlanStatus::solved;
-    std::vector<std::pair<std::string, std::string>> outputs;
-    if (!options.json.empty()) outputs.emplace_back(options.json, next.json(!options.no_timing));
+    std::vector<io::OutputFile> outputs;
+    if (!options.json.empty()) outputs.push_back({options.json, next.json(!options.no_timing)});
     const auto picture = [&] {
         return render::svg(next.map.map, next.asked.mission, next.plan,
                            render::picture_options(next.map, next.asked, next.plan));
     };
-    if (solved && !options.svg.empty()) outputs.emplace_back(options.svg, picture());
-    if (solved && !options.png.empty()) outputs.emplace_back(options.png, raster::png_of(picture()));
-    bool to_standard_output = false;
-    for (const auto& [path, content] : outputs) {
-        to_standard_output = to_standard_output || path == "-";
-        io::write_whole(path, content);
-    }
+    if (solved && !options.svg.empty()) outputs.push_back({options.svg, picture()});
+    if (solved && !options.png.empty()) outputs.push_back({options.png, raster::png_of(picture())});
+    std::ranges::move(files_of_map(options.map, map), std::back_inserter(inputs));
+    write_beside(outputs, inputs);
     if (!solved) report_none(next);
-    if (to_standard_output) return;
+    if (std::ranges::find(outputs, "-", &io::OutputFile::path) != outputs.end()) return;
     const TableStyle style{.metres = next.map.has_metres(), .bold = isatty(STDOUT_FILENO) == 1};
     io::write_whole("-", summary(next) + plan_table(next.plan, next.context(!options.no_timing), style));
 }

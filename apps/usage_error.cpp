@@ -65,6 +65,8 @@ std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();
     const std::vector<std::string> rest = root.remaining(true);
     std::string message = error.what();
+    if (const std::size_t many = message.find(": At Most 1 required but received "); many != message.npos)
+        message = message.substr(0, many) + " is given more than once";
     if (!rest.empty()) {
         message = unexpected(*command, rest.front());
     } else if (!command->get_subcommands({}).empty()) {

@@ -165,7 +165,8 @@ class OrdersJudge {
         for (const Breach& breach : plan_.breaches) {
             const auto entry = drive.entries.find(breach.obstacle);
             if (entry == drive.entries.end() || breach.by == ground.id) continue;
-            const double by = entry->second.time + slack(terms_, entry->second.time);
+            const double hair = slack(terms_, entry->second.time) + rounding / asked(agent).speed;
+            const double by = entry->second.time + hair;
             const bool waits = std::ranges::any_of(plan_.orders, [&](const Order& order) {
                 return order.after.agent == agent && order.reason == OrderReason::opening && waits_for(order, breach) &&
                        time_at(ground.path, order.after) <= by;

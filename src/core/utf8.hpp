@@ -31,13 +31,19 @@ inline std::optional<Utf8Character> first_character(std::string_view bytes) {
     return Utf8Character{code, length};
 }
 
-inline bool is_utf8(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const std::optional<Utf8Character> character = first_character(bytes);
-        if (!character) return false;
-        bytes.remove_prefix(character->length);
+// How many bytes come before the first that is not UTF-8.
+inline std::size_t utf8_prefix(std::string_view bytes) {
+    std::size_t length = 0;
+    while (length < bytes.size()) {
+        const std::optional<Utf8Character> character = first_character(bytes.substr(length));
+        if (!character) break;
+        length += character->length;
     }
-    return true;
+    return length;
+}
+
+inline bool is_utf8(std::string_view bytes) {
+    return utf8_prefix(bytes) == bytes.size();
 }
 
 }  // namespace waybreaker

@@ -173,8 +173,7 @@ std::string name_for(const std::string& path, const std::string& id) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& placed, const std::string& path,
-                                                          const MavAction& breach) {
+std::vector<io::OutputFile> plan_qgc(const PlacedPlan& placed, const std::string& path, const MavAction& breach) {
     require_place(placed, "QGroundControl");
     if (!placed.altitude)
         throw InputError("QGroundControl needs to know how high aircraft fly; give --altitude METRES");
@@ -189,7 +188,7 @@ std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& plac
     }
     if (aircraft.empty() && !placed.plan.agents.empty())
         throw InputError("QGroundControl plans flights, and the plan has no aircraft");
-    std::vector<std::pair<std::string, std::string>> files;
+    std::vector<io::OutputFile> files;
     std::set<std::string> names;
     for (const Itinerary* one : aircraft) {
         const std::vector<Itinerary> flights = flights_of(*one);
@@ -204,7 +203,7 @@ std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& plac
             if (flights.size() > 1) name = name_for(name, std::to_string(i + 1));
             if (!names.insert(name).second)
                 throw InputError(fmt::format("two aircraft have ids that {} would stand for; rename one", name));
-            files.emplace_back(std::move(name), flight_text(placed, flights[i], breach));
+            files.push_back({std::move(name), flight_text(placed, flights[i], breach)});
         }
     }
     return files;

@@ -7,19 +7,18 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "exports/mav_command.hpp"
 #include "exports/placed_plan.hpp"
+#include "io/output_file.hpp"
 
 namespace waybreaker::exports {
 
-// Path and bytes of each file: `path` itself for one aircraft; for several its name with "-" and the aircraft's id
+// One file for each flight: `path` itself for one aircraft; for several its name with "-" and the aircraft's id
 // before the ending. One that recharges has a file for each flight from landing to landing, "-1", "-2" before the
 // ending. Throws InputError if the map does not say where it lies on earth, no altitude is given, the plan
 // has no aircraft or was revised under way, one begins in a hole of a zone, or one name would stand for several files.
-std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& placed, const std::string& path,
-                                                          const MavAction& breach = {});
+std::vector<io::OutputFile> plan_qgc(const PlacedPlan& placed, const std::string& path, const MavAction& breach = {});
 
 }  // namespace waybreaker::exports

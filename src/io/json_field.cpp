@@ -6,10 +6,21 @@
 #include "core/byte_order_mark.hpp"
 #include "core/control_character.hpp"
 #include "core/in_quotes.hpp"
+#include "core/utf8.hpp"
 #include "io/json_position.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
+namespace {
+
+// As editors save it, with a byte order mark or without.
+bool is_utf16(std::string_view text) {
+    if (text.size() < 2) return false;
+    const auto begins = [&](char first, char second) { return text[0] == first && text[1] == second; };
+    return begins('\xFF', '\xFE') || begins('\xFE', '\xFF') || begins('{', '\0') || begins('\0', '{');
+}
+
+}  // namespace
 
 JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth) {
     text = without_byte_order_mark(text);
@@ -20,6 +31,7 @@ JsonDocument parse_json(std::string_view text, const std::string& file, int max_
         if (depth > max_depth) fail(depth_at(text, max_depth), "its values are nested too deep");
         return true;
     };
+    if (is_utf16(text)) fail(0, "this is not JSON: it is in UTF-16; save it in UTF-8");
     // To the parser it is the end of the text.
     if (const std::size_t null = text.find('\0'); null != text.npos) fail(null, "this is not JSON: it has a null byte");
     try {
@@ -32,6 +44,8 @@ JsonDocument parse_json(std::string_view text, const std::string& file, int max_
     } catch (const nlohmann::json::parse_error& error) {
         // `byte` is the last one that was read, counted from 1.
         const bool whole = error.byte <= text.size();
+        const std::size_t utf8 = utf8_prefix(text);
+        if (utf8 < std::min(error.byte, text.size())) fail(utf8, "this is not JSON: it is not in UTF-8; save it so");
         fail(std::min(error.byte - 1, text.size()), whole ? "this is not JSON" : "this is not JSON: it ends too early");
     } catch (const nlohmann::json::exception&) {
         fail(overflow_at(text), "this number is too large");

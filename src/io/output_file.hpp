@@ -8,6 +8,12 @@
 
 namespace waybreaker::io {
 
+// A file as it is to be written.
+struct OutputFile {
+    std::string path;  // "-" is standard output
+    std::string bytes;
+};
+
 // Writes to a temporary neighbour and renames it over `path`, so that no reader and no failure ever sees half a file;
 // what a symbolic link points to is replaced, not the link. "-" is standard output; devices and pipes are written as
 // they are. Throws InputError naming path and cause.

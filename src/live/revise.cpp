@@ -303,6 +303,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     const Deadline deadline(limits.seconds);
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
+    require_range(state.now + reaction, 0, most_breach_time, "now, and the time of reaction after it,");
     validate_polygons(mission.rules.zones);
     const Mission in_airspace = live::in_airspace_at(map, mission, state.now);
     const Report report{map, in_airspace, plan, state, state.now + reaction};

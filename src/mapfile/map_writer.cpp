@@ -146,7 +146,7 @@ std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
 }
 
 // ROS maps that were read are written unchanged; others as nav2's map saver writes them.
-std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& path) {
+std::vector<io::OutputFile> ros_files(const io::MapFile& map, const std::string& path) {
     fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
     if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself
     const fs::path image_path = fs::path(path).replace_extension(extension);

@@ -5,17 +5,13 @@
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "io/output_file.hpp"
 
 namespace waybreaker::mapfile {
 
-struct OutputFile {
-    std::string path;
-    std::string bytes;
-};
-
 struct WrittenMap {
-    std::vector<OutputFile> files;    // one; of a ROS map the image first, then the YAML that names it
-    std::vector<std::string> losses;  // what the format does not hold of this map, a line each
+    std::vector<io::OutputFile> files;  // one; of a ROS map the image first, then the YAML that names it
+    std::vector<std::string> losses;    // what the format does not hold of this map, a line each
 };
 
 // Whether the format that the extension of `path` stands for says which cell belongs to which obstacle. Throws as

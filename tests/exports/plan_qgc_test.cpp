@@ -60,8 +60,8 @@ class PlanQgc : public PlacedTown {
 TEST_F(PlanQgc, IsFlownAsPlanned) {
     const auto files = plan_qgc(flown(), "out/flight.plan");
     ASSERT_EQ(files.size(), 1U);
-    EXPECT_EQ(files[0].first, "out/flight.plan");
-    const Json mission = read_flight(files[0].second);
+    EXPECT_EQ(files[0].path, "out/flight.plan");
+    const Json mission = read_flight(files[0].bytes);
     const Json& items = mission.at("items");
     ASSERT_GE(items.size(), 4U);
     EXPECT_EQ(items.front().at("command"), 22);
@@ -106,9 +106,9 @@ TEST_F(PlanQgc, HasAFenceRoundZones) {
         {ZoneKind::no_fly, {{{10, 10}, {60, 20}, {30, 90}}}, "", {"other"}},
         {ZoneKind::keep_out, {{{10, 10}, {60, 20}, {30, 90}}}, "", {}}};
     PlacedPlan zoned = flown();
-    EXPECT_TRUE(Json::parse(plan_qgc(zoned, "a.plan")[0].second).at("geoFence").at("polygons").empty());
+    EXPECT_TRUE(Json::parse(plan_qgc(zoned, "a.plan")[0].bytes).at("geoFence").at("polygons").empty());
     zoned.zones = zones;
-    const std::string text = plan_qgc(zoned, "a.plan")[0].second;
+    const std::string text = plan_qgc(zoned, "a.plan")[0].bytes;
     read_flight(text);
     const Json fences = Json::parse(text).at("geoFence").at("polygons");
     ASSERT_EQ(fences.size(), 1U);
@@ -130,7 +130,7 @@ TEST_F(PlanQgc, HasAFenceRoundZones) {
 TEST_F(PlanQgc, HasTheCommandThatIsAskedFor) {
     const auto commands = [&](const char* text) {
         std::vector<Json> found;
-        const Json mission = read_flight(plan_qgc(flown(), "a.plan", *parse_mav_action(text))[0].second);
+        const Json mission = read_flight(plan_qgc(flown(), "a.plan", *parse_mav_action(text))[0].bytes);
         for (const Json& item : mission.at("items")) {
             const int command = item.at("command");
             if (command != 16 && command != 19 && command != 21 && command != 22 && command != 178)
@@ -158,14 +158,14 @@ TEST_F(PlanQgc, HasAFileForEachAircraft) {
     for (Breach& breach : plan.breaches) breach.by = "south";
     auto files = plan_qgc(flown(), "out/flight.v2.plan");
     ASSERT_EQ(files.size(), 2U);
-    EXPECT_EQ(files[0].first, "out/flight.v2-north_1.plan");
-    EXPECT_EQ(files[1].first, "out/flight.v2-south.plan");
+    EXPECT_EQ(files[0].path, "out/flight.v2-north_1.plan");
+    EXPECT_EQ(files[1].path, "out/flight.v2-south.plan");
     const auto count = [&](const std::string& text) {
         const Json mission = read_flight(text);
         return std::ranges::count_if(mission.at("items"), [](const Json& item) { return item.at("command") == 181; });
     };
-    EXPECT_EQ(count(files[0].second), 0);
-    EXPECT_EQ(std::size_t(count(files[1].second)), plan.breaches.size());
+    EXPECT_EQ(count(files[0].bytes), 0);
+    EXPECT_EQ(std::size_t(count(files[1].bytes)), plan.breaches.size());
     EXPECT_NE(input_error([&] { plan_qgc(flown(), "-"); }).find("not standard output"), std::string::npos);
     plan.agents[2].id = "north_1";
     EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("a-north_1.plan would stand for"),
@@ -180,8 +180,8 @@ TEST_F(PlanQgc, HasAFileForEachFlightFromLandingToLanding) {
     plan.breaches.clear();
     const auto files = plan_qgc(flown(), "flight.plan");
     ASSERT_EQ(files.size(), 2U);
-    EXPECT_EQ(files[0].first, "flight-1.plan");
-    EXPECT_EQ(files[1].first, "flight-2.plan");
+    EXPECT_EQ(files[0].path, "flight-1.plan");
+    EXPECT_EQ(files[1].path, "flight-2.plan");
     for (const auto& [name, text] : files) {
         std::vector<int> commands;
         const Json flight = read_flight(text);

@@ -29,6 +29,9 @@ TEST(JsonField, TextThatIsNoJsonIsRefusedWhereItStopsBeingSo) {
     EXPECT_EQ(refusal("{\n\"format\": \n\n }"), "f.json:4:2: this is not JSON");
     EXPECT_EQ(refusal("{\"é\": !}"), "f.json:1:7: this is not JSON") << "columns are characters";
     EXPECT_EQ(refusal(std::string("1\n\0,}", 5)), "f.json:2:1: this is not JSON: it has a null byte");
+    EXPECT_EQ(refusal({"\xFF\xFE{\0}\0", 6}), "f.json:1:1: this is not JSON: it is in UTF-16; save it in UTF-8");
+    EXPECT_EQ(refusal({"\0{\0}", 4}), "f.json:1:1: this is not JSON: it is in UTF-16; save it in UTF-8");
+    EXPECT_EQ(refusal("[\n\"Stra\xDF\"]"), "f.json:2:6: this is not JSON: it is not in UTF-8; save it so");
     EXPECT_EQ(refusal("[\"1e999\",\n  1e99, -1e999]"), "f.json:2:10: this number is too large");
     EXPECT_EQ(refusal("[1e-999, 1e308]"), "");
     EXPECT_EQ(refusal("{\"[[[[[\": [[[\n[1]]]]}"), "f.json:2:1: its values are nested too deep");

@@ -26,7 +26,7 @@ class WrittenMaps : public TemporaryFolder {
   protected:
     WrittenMap write(const io::MapFile& map, const std::string& name) const {
         WrittenMap written = write_map(map, path(name));
-        for (const OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
+        for (const io::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
         return written;
     }
 };

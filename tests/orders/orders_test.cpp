@@ -36,6 +36,16 @@ TEST(Orders, OfAnOpening) {
     EXPECT_EQ(order.slack, 0);
 }
 
+TEST(Orders, OfAnOpeningForTheSlowest) {
+    const Map map = map_from_ascii(R"(
+        ...a...
+        ####...
+        ...b...)");
+    Mission mission = ground_and_air({0, 0}, {6, 0});
+    mission.agents[0].speed = least_speed;  // rounding in cells is long in time
+    EXPECT_TRUE(is_valid(map, mission, Planner().plan(map, mission)));
+}
+
 Plan driven(const Mission& mission, const std::vector<std::vector<Waypoint>>& paths) {
     Plan plan;
     plan.status = PlanStatus::solved;
