@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/range.hpp"
+#include "io/excerpt.hpp"
+#include "io/output_file.hpp"
 #include "io/weights.hpp"
 #include "model/nearest_place.hpp"
 #include "note.hpp"
@@ -204,6 +206,16 @@ void set_method(const PlanOptions& options, Method& method) {
     method.explain = method.explain || options.explain;
 }
 
+// A ground agent breaches nothing unless it is said to.
+void note_idle_breachers(const std::string& file, const Mission& mission) {
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air || agent.own_breaches > 0) continue;
+        if (!agent.can_breach && !agent.breach_time && !agent.breach_time_per_cell) continue;
+        note(file, fmt::format("agent {} has no breaches, so it breaches nothing: give it how many it may make",
+                               io::excerpt(agent.id)));
+    }
+}
+
 }  // namespace
 
 io::MissionDocument given_mission(const PlanOptions& options) {
@@ -220,6 +232,7 @@ io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument g
     Mission& mission = result.mission;
     Method& method = result.method;
     const bool from_map = map.task && options.mission.empty() && !lists_agents(options, map);
+    if (!options.mission.empty()) note_idle_breachers(io::input_name(options.mission), mission);
     set_agents(options, map, mission);
     set_sizes(options, map, result);
     set_clock(options, map, result);

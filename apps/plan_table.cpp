@@ -243,9 +243,9 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
                          : "nothing removed: no removal was found that gains anything\n";
 }
 
-// Of a team without aircraft.
-std::string without_aircraft(const Mission& mission) {
-    return mission.rules.removals == 0 ? "" : "\nnothing is removed: the team has no aircraft\n";
+// Of a team in which nobody may breach.
+std::string without_breachers(const Mission& mission) {
+    return mission.rules.removals == 0 ? "" : "\nnothing is removed: no agent may breach\n";
 }
 
 // The objective as a person says it.
@@ -332,7 +332,7 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
             context.asked.mission.rules.removals > 0 && std::ranges::any_of(context.asked.mission.agents, breaches);
         return heading(context, style) + rules(context) + "\n" + front(context, style) +
                team_table(plan, context, style) +
-               (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.asked.mission)) +
+               (may_remove ? "\n" + removals(plan, context, style) : without_breachers(context.asked.mission)) +
                next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") +
                ranges_left(plan, context, style) + out_of_range(plan, context, style) + surface(plan, context) +
                bound(plan, context) + limit(plan);

@@ -67,6 +67,12 @@ std::optional<JsonField> JsonField::find(const char* key) const {
     return (*this)[key];
 }
 
+void JsonField::require_format(std::string_view format) const {
+    const auto given = find("format");
+    if (!given) fail("has no member format: give it \"format\": \"" + std::string(format) + '"');
+    if (given->json() != format) given->fail("is not " + std::string(format));
+}
+
 void JsonField::allow(std::initializer_list<std::string_view> names) const {
     if (!json_->is_object()) fail("is not an object");
     for (const auto& [key, value] : json_->items()) {

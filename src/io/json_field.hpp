@@ -33,6 +33,9 @@ class JsonField {
     JsonField operator[](const char* key) const;
     std::optional<JsonField> find(const char* key) const;
 
+    // Throws InputError if its member `format`, which says what a document is, is missing or another.
+    void require_format(std::string_view format) const;
+
     // Throws InputError if the object has a member of another name: a typing error, most likely.
     void allow(std::initializer_list<std::string_view> names) const;
 

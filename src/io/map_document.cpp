@@ -249,7 +249,7 @@ DocumentedMap parse_map_document(std::string_view bytes, const std::string& name
     const JsonDocument document = parse_json(bytes, name, document_depth);
     const JsonField root(document);
     root.allow({"format", "description", "obstacles", "background", "rest"});
-    if (root["format"].json() != map_format) root["format"].fail(std::string("is not ") + map_format);
+    root.require_format(map_format);
     site::Annotations annotations;
     Map map = read_obstacles(root["obstacles"], annotations);
     DocumentedMap result{.file = {.map = std::move(map), .annotations = std::move(annotations)}};

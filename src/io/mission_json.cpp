@@ -232,7 +232,7 @@ void read_method(const JsonField& field, Method& method) {
 }
 
 MissionDocument read_mission(const JsonField& document, const Limits& limits) {
-    if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
+    document.require_format(format);
     document.allow({"format", "map", "overlays", "time_unit", "agents", "rules", "method", "limits", "page"});
     MissionDocument result;
     if (const auto map = document.find("map")) result.map = map->text();

@@ -262,7 +262,7 @@ double cell_size(const JsonField& field) {
 }  // namespace
 
 PlanFile read_plan(const JsonField& root) {
-    if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
+    root.require_format("waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);
     if (const auto limited = root.find("limit_reached")) {

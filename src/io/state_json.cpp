@@ -82,7 +82,7 @@ Json found_json(std::span<const Found> found) {
 }
 
 State read_state(const JsonField& document) {
-    if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
+    document.require_format(format);
     document.allow({"format", "sequence", "now", "agents", "opened", "failed", "found", "joined"});
     State state;
     state.sequence = std::uint64_t(document["sequence"].whole_number(1, INT64_MAX));

@@ -184,7 +184,8 @@ TEST(MissionFile, HasDefaultsForWhatItLeavesOut) {
 TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     const auto refusal = [](const std::string& text) { return input_error([&] { parse_mission(text, "m.json"); }); };
     EXPECT_EQ(refusal("{"), "m.json:1:2: this is not JSON: it ends too early");
-    EXPECT_EQ(refusal("{}"), "m.json:1:1: the document has no member format");
+    EXPECT_EQ(refusal("{}"),
+              "m.json:1:1: the document has no member format: give it \"format\": \"waybreaker-mission/1\"");
     EXPECT_EQ(refusal(R"({"format": "waybreaker-plan/1"})"), "m.json:1:12: format is not waybreaker-mission/1");
     EXPECT_EQ(refusal(with(R"("agents": {})")), "m.json:1:46: agents is not an array");
     EXPECT_EQ(refusal(with(R"("agents": [])")),

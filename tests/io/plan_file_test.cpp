@@ -285,7 +285,7 @@ TEST(PlanFile, MaySayMore) {
 
 TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal("[]"), "the document is not an object");
-    EXPECT_EQ(plan_refusal("{}"), "the document has no member format");
+    EXPECT_EQ(plan_refusal("{}"), "the document has no member format: give it \"format\": \"waybreaker-plan/1\"");
     EXPECT_EQ(plan_refusal(std::string(1000, '[')), "its values are nested too deep");
     EXPECT_EQ(plan_refusal(with("/format", "waybreaker-plan/2")), "format is not waybreaker-plan/1");
     EXPECT_EQ(plan_refusal(with("/status", "well")),

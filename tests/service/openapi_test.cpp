@@ -142,7 +142,7 @@ TEST_F(ProblemTest, SaysLineAndColumnOfTheBody) {
     EXPECT_EQ(detail("/plan", "{\n  \"mission\": {\"start\": [1]}}"),
               "request:2:24: mission.start is not a cell, [x, y]");
     EXPECT_EQ(detail("/edits", "{\"free\":\n[7]}"), "edits:2:2: free[0] is not an array");
-    EXPECT_EQ(detail("/check", "{\"format\":\n\n 7}"), "the plan:3:2: format is not a text");
+    EXPECT_EQ(detail("/check", "{\"format\":\n\n 7}"), "the plan:3:2: format is not waybreaker-plan/1");
     EXPECT_EQ(detail("/export?format=csv", "{"), "the plan:1:2: this is not JSON: it ends too early");
 }
 
