@@ -9,6 +9,7 @@
 #include "io/output_file.hpp"
 #include "mapfile/map_writer.hpp"
 #include "option.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -28,6 +29,9 @@ struct MapGenerateOptions {
 };
 
 void run(const MapGenerateOptions& options) {
+    const bool has_share = options.terrain != Terrain::spiral && options.terrain != Terrain::blocks;
+    if (options.terrain_options.share >= 0 && !has_share)
+        throw InputError("--share is for maze, rooms and random; drop it");
     const io::MapFile file{.map = make_terrain(options.terrain, options.terrain_options)};
     const mapfile::WrittenMap written = mapfile::write_map(file, options.output);
     write_beside(written.files, {});

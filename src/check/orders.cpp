@@ -9,7 +9,7 @@ namespace waybreaker::checker {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-6;
+constexpr double rounding = 1e-6;          // in units of time, and in cells
 constexpr double longest_step = 1.0 / 16;  // of the places that are tried, in cells
 // What the plan may be ahead of an order of two that touch while both move, in cells of the waiting agent's way.
 constexpr double most_ahead = 0.25;
@@ -123,7 +123,7 @@ class OrdersJudge {
         if (!fits) return report(who + " is none that these two can have", second.id, order.obstacle);
         const double before = time_at(first.path, order.before);
         const double after = time_at(second.path, order.after);
-        const double hair = slack(terms_, after) + rounding;
+        const double hair = slack(terms_, after) + rounding * (1 + 1 / first.speed + 1 / second.speed);
         const auto complain = [&](const std::string& what) {
             report(who + what, second.id, order.obstacle, place_on(second.path, number(order.after)), after);
         };

@@ -39,17 +39,14 @@ bool begins_inside(const Map& map, const Agent& asked, ObstacleId obstacle, cons
 }
 
 // Takes so much of the time that it has stood at the last turn before. Whether there is as much. An entry at a turn, or
-// a hair before, may count for either side of it.
+// a hair before, may count for either side of it: what stands first is taken first, as entries come in their order.
 bool take_stand(std::vector<Turn>& turns, double entry, double rubble, double hair) {
-    const auto after = std::upper_bound(turns.begin(), turns.end(), entry + hair,
-                                        [](double time, const Turn& turn) { return time < turn.arrival; });
-    for (auto turn = after; turn != turns.begin();) {
-        --turn;
-        if (turn->stood >= rubble - hair) {
-            turn->stood -= rubble;
-            return true;
-        }
-        if (turn->arrival < entry - hair) return false;
+    auto turn = std::ranges::lower_bound(turns, entry - hair, {}, &Turn::arrival);
+    if (turn != turns.begin()) --turn;
+    for (; turn != turns.end() && turn->arrival <= entry + hair; ++turn) {
+        if (turn->stood < rubble - hair) continue;
+        turn->stood -= rubble;
+        return true;
     }
     return false;
 }

@@ -8,7 +8,7 @@ namespace waybreaker::orders {
 double slack_of(double before, double after) {
     constexpr double rounding = 1e-9;
     const double slack = after - before;
-    return std::abs(slack) <= rounding * std::max(1.0, after) ? 0 : slack;
+    return std::abs(slack) <= rounding * std::clamp(after, 1.0, 1000.0) ? 0 : slack;
 }
 
 Moment departure(std::size_t agent, const std::vector<Waypoint>& path, std::size_t move, double share) {

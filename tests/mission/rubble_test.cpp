@@ -273,6 +273,25 @@ TEST(Rubble, OfTheCheckerIsThatOfTheRules) {
     EXPECT_EQ(rules_broken(4.5), (std::vector<Rule>{Rule::rubble, Rule::rubble}));
 }
 
+// Two turns at nearly one time: what is stood at each is for the obstacle behind it.
+TEST(Rubble, OfTheFastestIsStoodTurnByTurn) {
+    const Map map = map_from_ascii(R"(
+        ..a..
+        ####b
+        ####.
+    )");
+    Mission mission = ground_and_air({0, 0}, {4, 2});
+    mission.agents[0].speed = most_speed;
+    mission.rules.protect = {map.obstacle_at({0, 1})};
+    mission.rules.removals = 2;
+    for (const double rubble : {20.0, 1000.0, 1e6}) {
+        mission.rules.rubble = rubble;
+        const Plan plan = Planner().plan(map, mission);
+        EXPECT_EQ(plan.breaches.size(), 2U);
+        EXPECT_EQ(plan_faults(map, mission, plan), "");
+    }
+}
+
 // The wait for the opening does not count: the rubble comes after it.
 TEST(Rubble, ComesAfterTheOpening) {
     const Map map = walled();

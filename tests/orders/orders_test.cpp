@@ -42,8 +42,11 @@ TEST(Orders, OfAnOpeningForTheSlowest) {
         ####...
         ...b...)");
     Mission mission = ground_and_air({0, 0}, {6, 0});
-    mission.agents[0].speed = least_speed;  // rounding in cells is long in time
-    EXPECT_TRUE(is_valid(map, mission, Planner().plan(map, mission)));
+    // Rounding in cells is long in time.
+    for (const double speed : {least_speed, 1e-5, 1e-4, 1e-3}) {
+        mission.agents[0].speed = speed;
+        EXPECT_TRUE(is_valid(map, mission, Planner().plan(map, mission))) << speed;
+    }
 }
 
 Plan driven(const Mission& mission, const std::vector<std::vector<Waypoint>>& paths) {
