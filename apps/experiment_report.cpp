@@ -37,9 +37,11 @@ void run(const ExperimentReportOptions& options) {
     const bool teams = summary.teams.missions > 0;
     const std::size_t compared = teams ? summary.teams.compared : summary.all.compared;
     const std::size_t missions = teams ? summary.teams.missions : summary.all.missions;
+    const experiment::Shard& shard = summary.shard;
     io::write_whole("-",
-                    fmt::format("{}: {} of {} missions compared{}\n",
+                    fmt::format("{}: {} of {} missions compared{}{}\n",
                                 (std::filesystem::path(options.folder) / "index.html").string(), compared, missions,
+                                shard.count == 1 ? "" : fmt::format(", of shard {}/{} only", shard.index, shard.count),
                                 summary.missing == 0 ? "" : fmt::format("; {} results are missing", summary.missing)));
 }
 

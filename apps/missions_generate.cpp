@@ -1,6 +1,7 @@
 // `waybreaker missions generate`: the missions of an experiment, drawn as the paper draws them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -9,6 +10,7 @@
 #include "experiment/document.hpp"
 #include "experiment/missions.hpp"
 #include "help.hpp"
+#include "io/excerpt.hpp"
 #include "io/map_file.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
@@ -83,7 +85,11 @@ Drawn draw(const std::string& path, const MissionsGenerateOptions& options) {
 void run(const MissionsGenerateOptions& options) {
     if (options.objective && !options.team) throw InputError("--objective is for --team: scenario files have none");
     NamedFiles maps;
-    for (const std::string& map : options.maps) maps.emplace_back("MAP", map);
+    for (const std::string& map : options.maps) {
+        const bool is_named = std::ranges::find(maps, map, &NamedFiles::value_type::second) != maps.end();
+        if (is_named) throw InputError(fmt::format("{} is named twice", io::excerpt(map)));
+        maps.emplace_back("MAP", map);
+    }
     require_ending(
         "--output", options.output,
         options.team ? std::vector<std::string_view>{".jsonl", ".json"} : std::vector<std::string_view>{".scen"});

@@ -89,8 +89,10 @@ std::string opening(const Summary& summary) {
     }
     html +=
         "&#177; is half of a 95 % confidence interval, which allows for missions of one map, or of one place that the "
-        "spec names, being alike.</p>\n"
-        "<p>Results:";
+        "spec names, being alike.</p>\n";
+    if (const Shard& shard = summary.shard; shard.count > 1)
+        html += fmt::format("<p>These are the missions of shard {} of {} only.</p>\n", shard.index, shard.count);
+    html += "<p>Results:";
     for (const auto& [status, count] : summary.statuses) html += fmt::format(" {} {};", count, escaped(status));
     html += fmt::format(" {} missing. waybreaker {}, experiment <code>{}</code>.</p>\n", summary.missing,
                         escaped(summary.version), escaped(summary.digest));

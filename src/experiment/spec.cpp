@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -156,7 +157,10 @@ Spec parse_spec(std::string_view text, const std::string& name) {
     Spec spec;
     if (const toml::node* node = file.get("name")) spec.name = reader.text(*node, "'name'");
     for (const toml::node* node : reader.items(file, "missions")) {
-        spec.missions.push_back(reader.text(*node, "the name of a file of missions"));
+        const std::string file_of_missions = reader.text(*node, "the name of a file of missions");
+        if (std::ranges::find(spec.missions, file_of_missions) != spec.missions.end())
+            throw reader.error(*node, fmt::format("{} stands here twice", in_quotes(file_of_missions)));
+        spec.missions.push_back(file_of_missions);
     }
     if (spec.missions.empty())
         throw InputError(name, 0, "'missions' is missing: a list of scenario files or files of mission documents");

@@ -156,15 +156,9 @@ Summary summarise(Results& results) {
         all.add(mission, row);
         sets[mission.set].add(mission, row);
     });
-    Summary summary{experiment.name,
-                    results.version(),
-                    experiment.digest,
-                    results.statuses(),
-                    results.missing(),
-                    all.summary(),
-                    {},
-                    all.most_removals(),
-                    teams.summary()};
+    Summary summary{experiment.name,     results.version(), experiment.digest, results.statuses(),
+                    results.shard(),     results.missing(), all.summary(),     {},
+                    all.most_removals(), teams.summary()};
     for (const Collector& set : sets) summary.sets.push_back(set.summary());
     return summary;
 }

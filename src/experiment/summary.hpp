@@ -9,6 +9,7 @@
 
 #include "experiment/estimate.hpp"
 #include "experiment/results.hpp"
+#include "experiment/store.hpp"
 #include "experiment/team_summary.hpp"
 
 namespace waybreaker::experiment {
@@ -45,6 +46,7 @@ struct Summary {
     std::string version;
     std::string digest;
     std::vector<std::pair<std::string, std::size_t>> statuses;
+    Shard shard;              // that has been run; other missions are not in it
     std::size_t missing = 0;  // jobs without a result
     SetSummary all;           // over all sets; without teams
     std::vector<SetSummary> sets;

@@ -37,6 +37,7 @@ TEST(Spec, SaysWhatIsWrongAndWhere) {
               "s.toml: 'missions' is missing: a list of scenario files or files of mission documents");
     EXPECT_EQ(message("missions = []\n"), "s.toml:1: 'missions' is an empty list");
     EXPECT_EQ(message("missions = 7\n"), "s.toml:1: the name of a file of missions must be a text, such as \"...\"");
+    EXPECT_EQ(message("missions = ['a.scen', 'b.scen',\n'a.scen']\n"), "s.toml:2: 'a.scen' stands here twice");
     EXPECT_EQ(message("missions = 'a.scen'\nplaces = ['a*', '']\n"),
               "s.toml:2: a place, a pattern of the names of its maps, must be a text, such as \"...\"");
     EXPECT_EQ(message("missions = 'a.scen'\n"), "s.toml: it has no [[run]]: say which methods with how many removals");
