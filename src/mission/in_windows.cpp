@@ -33,6 +33,20 @@ struct Node {
     std::optional<ZoneBreach> breach = {};
 };
 
+double reached(const Mission& mission, const Outcome& outcome) {
+    return value(outcome, mission.rules.objective).value_or(for_ever);
+}
+
+// Sets the bound, of which another mission is the proof, and the gap of a plan that reaches so much.
+void prove(std::optional<double> bound, double reached, Plan& plan) {
+    plan.least_demolition.reset();
+    plan.bound = bound;
+    plan.gap.reset();
+    if (plan.status != PlanStatus::solved || !bound) return;
+    plan.bound = std::min(*bound, reached);
+    plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
+}
+
 // Whether an agent can stand at its start for longer, and nobody who is bound to come past runs into it.
 bool can_stand(const Mission& mission, const Node& node, std::size_t late) {
     const Agent& agent = node.agents[late];
@@ -125,7 +139,7 @@ class WindowSearch {
         limit_reached_ = limit_reached_ || best.limit_reached;
         is_cut_ = is_cut_ || best.status == PlanStatus::limit_reached || best.status == PlanStatus::stopped;
         if (best.status != PlanStatus::solved) return;
-        node.reached = value(best.after, mission_.rules.objective).value_or(for_ever);
+        node.reached = reached(mission_, best.after);
         node.breach = watch_.first_breach(best, node.permanent);
     }
 
@@ -193,13 +207,7 @@ class WindowSearch {
     void as_asked(const Plan& relaxed, Plan& plan) const {
         plan.before = relaxed.before;
         plan.limit_reached = limit_reached_ || is_cut_;
-        plan.least_demolition.reset();
-        plan.bound = relaxed.bound;
-        plan.gap.reset();
-        if (plan.status != PlanStatus::solved || !relaxed.bound) return;
-        const double reached = value(plan.after, mission_.rules.objective).value_or(for_ever);
-        plan.bound = std::min(*relaxed.bound, reached);
-        plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
+        prove(relaxed.bound, reached(mission_, plan.after), plan);
     }
 
     Plan barred(const Plan& relaxed) const {
@@ -234,6 +242,31 @@ class WindowSearch {
     bool is_cut_ = false;         // what is left to try is not tried
 };
 
+// The better of both where what was chosen without zones goes a long way round them: that, or to remove nothing.
+std::vector<Plan> searched(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                           const ZonedPlanner& planned) {
+    const Deadline deadline(limits.seconds);
+    std::vector<Plan> plans = WindowSearch(map, mission, method, limits, planned).run();
+    Plan& plan = plans.front();
+    const double best = plan.status == PlanStatus::solved ? reached(mission, plan.after) : for_ever;
+    if (mission.rules.removals == 0 || !mission.rules.force.empty() || best <= reached(mission, plan.before))
+        return plans;
+    Mission nothing = mission;
+    nothing.rules.removals = 0;
+    Limits left = limits;
+    left.seconds = std::max(deadline.left(), least_seconds);
+    left.progress = nullptr;
+    Plan other = WindowSearch(map, nothing, method, left, planned).run().front();
+    plan.limit_reached = plan.limit_reached || other.limit_reached;
+    if (other.status != PlanStatus::solved || reached(mission, other.after) >= best) return plans;
+    other.before = plan.before;
+    other.limit_reached = plan.limit_reached;
+    prove(plan.bound, reached(mission, other.after), other);
+    if (plan.status != PlanStatus::solved) plans.clear();
+    plans.insert(plans.begin(), std::move(other));
+    return plans;
+}
+
 }  // namespace
 
 bool has_windows(const Mission& mission) {
@@ -246,11 +279,12 @@ std::vector<Plan> in_windows(const Map& map, const Mission& mission, const Metho
     const Deadline deadline(limits.seconds);
     Method plain = method;
     plain.explain = false;
-    std::vector<Plan> plans = WindowSearch(map, mission, plain, limits, planned).run();
+    std::vector<Plan> plans = searched(map, mission, plain, limits, planned);
     Plan& plan = plans.front();
+    plan.seconds.total = total.seconds();
     if (!method.explain || plan.status != PlanStatus::solved) return plans;
     const auto again = [&](const Mission& other, const Limits& left) {
-        return WindowSearch(map, other, plain, left, planned).run().front();
+        return searched(map, other, plain, left, planned).front();
     };
     explain_team(map, mission, limits, deadline, again, plan);
     plan.seconds.total = total.seconds();

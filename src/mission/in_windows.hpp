@@ -21,8 +21,8 @@ bool has_windows(const Mission& mission);
 // First as if there were no zones with a window: what is proven of that mission is proven. Where its plan is in such a
 // zone while it holds, two missions take its place, of which the better goes on: in one the zone holds all the time, in
 // the other the agent sets out so much later that the zone is over when it comes there. The best plan that keeps out of
-// all zones is the plan; it is `not_found` where none does, and Plan::barred_by names the zone. REQUIRES: a valid
-// mission that has windows.
+// all zones is the plan, or the best that removes nothing, if that is better; it is `not_found` where none does, and
+// Plan::barred_by names the zone. REQUIRES: a valid mission that has windows.
 std::vector<Plan> in_windows(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                              const ZonedPlanner& planned);
 

@@ -96,6 +96,11 @@ void expect_legal(const Map& map, const Mission& mission) {
     RC_LOG() << text(mission);
     const Plan plan = Planner().plan(map, mission);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
+    if (mission.rules.force.empty()) {
+        Mission nothing = mission;
+        nothing.rules.removals = 0;
+        RC_ASSERT(reached(plan, mission) <= reached(Planner().plan(map, nothing), mission) * (1 + 1e-9));
+    }
     const Plan free = Planner().plan(map, without_windows(mission));
     RC_CLASSIFY(plan.status != PlanStatus::solved, "no plan");
     if (plan.status != PlanStatus::solved) {
