@@ -1,9 +1,12 @@
 // Control characters in text from outside: they are not seen, and change how what follows them is shown.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string_view>
+
+#include "core/utf8.hpp"
 
 namespace waybreaker {
 
@@ -11,20 +14,15 @@ namespace waybreaker {
 // Latin-1 these are the ends of lines and paragraphs, and what turns the direction of writing (Unicode's annex 9, 2.1
 // to 2.5), by which one name can be made to look like another.
 inline std::size_t control_length(std::string_view text) {
-    struct Range {
-        std::string_view first;
-        std::string_view last;
+    if (text.empty()) return 0;
+    const std::optional<Utf8Character> character = first_character(text);
+    if (!character) return 0;
+    const auto lies_in = [&](std::uint32_t first, std::uint32_t last) {
+        return first <= character->code && character->code <= last;
     };
-    constexpr std::array<Range, 5> ranges{{{{"\x00", 1}, "\x1F"},
-                                           {"\x7F", "\x7F"},
-                                           {"\xC2\x80", "\xC2\x9F"},            // U+0080 to U+009F
-                                           {"\xE2\x80\xA8", "\xE2\x80\xAE"},    // U+2028 to U+202E
-                                           {"\xE2\x81\xA6", "\xE2\x81\xA9"}}};  // U+2066 to U+2069
-    for (const auto& [first, last] : ranges) {
-        const std::string_view character = text.substr(0, first.size());
-        if (character.size() == first.size() && first <= character && character <= last) return first.size();
-    }
-    return 0;
+    const bool is_control =
+        lies_in(0, 0x1F) || lies_in(0x7F, 0x9F) || lies_in(0x2028, 0x202E) || lies_in(0x2066, 0x2069);
+    return is_control ? character->length : 0;
 }
 
 }  // namespace waybreaker
