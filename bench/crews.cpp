@@ -81,6 +81,12 @@ Zone square(ZoneKind kind, const Places& places, double share) {
                          {at.x - half, at.y + half}}}};
 }
 
+Mission with_zone(const Places& places, const Zone& zone) {
+    Mission mission = pair(places);
+    mission.rules.zones = {zone};
+    return mission;
+}
+
 struct Rule {
     const char* name;
     std::function<Mission(const Places&)> mission;
@@ -102,24 +108,15 @@ const std::vector<Rule> rules_of_crews{
          return mission;
      }},
     {"no_fly on the way",
-     [](const Places& places) {
-         Mission mission = pair(places);
-         mission.rules.zones = {square(ZoneKind::no_fly, places, 0.4)};
-         return mission;
-     }},
+     [](const Places& places) { return with_zone(places, square(ZoneKind::no_fly, places, 0.4)); }},
     {"the same for a time",
      [](const Places& places) {
-         Mission mission = pair(places);
-         mission.rules.zones = {square(ZoneKind::no_fly, places, 0.4)};
-         mission.rules.zones[0].until = places.apart() / 2;
-         return mission;
+         Zone zone = square(ZoneKind::no_fly, places, 0.4);
+         zone.until = places.apart() / 2;
+         return with_zone(places, zone);
      }},
     {"keep_out on the way",
-     [](const Places& places) {
-         Mission mission = pair(places);
-         mission.rules.zones = {square(ZoneKind::keep_out, places, 0.2)};
-         return mission;
-     }},
+     [](const Places& places) { return with_zone(places, square(ZoneKind::keep_out, places, 0.2)); }},
     {"a range of 1.1 times the distance",
      [](const Places& places) {
          Mission mission = pair(places);
