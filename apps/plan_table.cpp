@@ -318,7 +318,9 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
     const std::optional<double> before = value(plan.before, context.asked.mission.rules.objective);
     const std::optional<double> after = value(plan.after, context.asked.mission.rules.objective);
     const bool is_timed = std::ranges::any_of(context.asked.mission.rules.zones, &Zone::has_window);
-    if (!before || !after || *after <= *before || is_timed) return "";
+    if (!before || !after || *after <= *before) return "";
+    if (is_timed) return "\nnote: figures before removal are those without the zones that hold for a time\n";
+    if (context.asked.mission.is_team()) return "";
     return fmt::format("\nnote: this plan is worse than removing nothing: {} {:.3f} instead of {:.3f}\n",
                        words(context.asked.mission.rules.objective), *after, *before);
 }
@@ -335,7 +337,7 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
                (may_remove ? "\n" + removals(plan, context, style) : without_breachers(context.asked.mission)) +
                next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") +
                ranges_left(plan, context, style) + out_of_range(plan, context, style) + surface(plan, context) +
-               bound(plan, context) + limit(plan);
+               bound(plan, context) + limit(plan) + warning(plan, context);
     }
     return heading(context, style) + rules(context) + "\n" + front(context, style) + outcomes(plan, context, style) +
            removals(plan, context, style) + next(plan, context) + waits(plan, context) +

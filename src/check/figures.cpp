@@ -1,4 +1,5 @@
 // The figures of a plan: that they follow from the agents' paths, or at least fit together.
+#include <algorithm>
 #include <cmath>
 
 #include "check/judge.hpp"
@@ -168,8 +169,9 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     judge_least_demolition(plan, found);
     judge_saves(plan, reached, terms, found);
     judge_if_failed(plan, terms, found);
-    // To remove nothing is one of the plans that the bound speaks of, unless something must go.
-    if (terms.rules.force.empty()) {
+    // To remove nothing is one of the plans that the bound speaks of, unless something must go, or a zone with a
+    // window, of which that knows nothing, stands in its way.
+    if (terms.rules.force.empty() && std::ranges::none_of(terms.rules.zones, &Zone::has_window)) {
         judge_bound_below(plan, objective(plan.before), "what is reached without removals", terms, found);
     }
     if (!plan.gap) return;

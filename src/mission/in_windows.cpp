@@ -8,30 +8,20 @@
 
 #include "core/stopwatch.hpp"
 #include "mission/explain.hpp"
+#include "mission/late_entries.hpp"
+#include "mission/window_node.hpp"
 #include "mission/zone_stays.hpp"
-#include "safe_interval/motion.hpp"
-#include "safe_interval/traffic.hpp"
+#include "model/in_zones.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
 namespace {
-
-using safe_interval::Leg;
 
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 constexpr int most_missions = 24;              // that are planned in place of one
 constexpr double share_without_windows = 0.5;  // of the time, for the mission without windows
 constexpr double share_of_each = 0.25;         // of the time that is left, for each other
 constexpr double least_seconds = 1e-3;
-
-// What is imposed on a mission in place of windows, and its plans.
-struct Node {
-    std::vector<Agent> agents;    // some set out later
-    std::vector<bool> permanent;  // by zone: whether it holds all the time
-    std::vector<Plan> plans = {};
-    double reached = for_ever;
-    std::optional<ZoneBreach> breach = {};
-};
 
 double reached(const Mission& mission, const Outcome& outcome) {
     return value(outcome, mission.rules.objective).value_or(for_ever);
@@ -47,36 +37,6 @@ void prove(std::optional<double> bound, double reached, Plan& plan) {
     plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
 }
 
-// Whether an agent can stand at its start for longer, and nobody who is bound to come past runs into it.
-bool can_stand(const Mission& mission, const Node& node, std::size_t late) {
-    const Agent& agent = node.agents[late];
-    if (agent.kind == AgentKind::air || agent.approach.empty() || !mission.rules.collisions) return true;
-    const Leg standing{{agent.begin().x, agent.begin().y}, {}, agent.ready_at, for_ever};
-    for (std::size_t i = 0; i < node.agents.size(); ++i) {
-        const Agent& other = node.agents[i];
-        if (i == late || other.kind == AgentKind::air) continue;
-        const double reach = agent.body.reach() + other.body.reach() + mission.rules.separation -
-                             safe_interval::TrafficIndex::planning_slack;
-        const auto meets = [&](const Leg& leg) { return !safe_interval::overlap(leg, standing, reach).empty(); };
-        if (std::ranges::any_of(safe_interval::TrafficIndex::legs(other.approach, false), meets)) return false;
-    }
-    return true;
-}
-
-// So that it is at the zone when that is over. Vehicles wait at their starts as well as on their way; what they breach
-// themselves, and all that aircraft do, takes the same time later.
-double put_off(const Agent& agent, const Zone& zone, const Stay& stay) {
-    const bool works = agent.kind == AgentKind::air || agent.own_breaches > 0;
-    return works ? agent.ready_at + (zone.until - stay.from) : zone.until - stay.driven / agent.speed;
-}
-
-void set_out_at(double time, Agent& agent) {
-    if (!agent.approach.empty()) agent.approach.push_back({agent.begin().x, agent.begin().y, time});
-    // In the air it hovers.
-    if (!agent.approach.empty() && agent.kind == AgentKind::air) agent.flown += time - agent.ready_at;
-    agent.ready_at = time;
-}
-
 class WindowSearch {
   public:
     WindowSearch(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
@@ -90,41 +50,29 @@ class WindowSearch {
           deadline_(limits.seconds) {}
 
     std::vector<Plan> run() {
-        Node first{mission_.agents, std::vector<bool>(mission_.rules.zones.size())};
+        WindowNode first{mission_.agents, std::vector<bool>(mission_.rules.zones.size())};
         plan(first, share_without_windows);
         const Plan relaxed = first.plans.front();
+        bound_ = relaxed.bound;
         open_.push_back(std::move(first));
         while (!open_.empty()) {
-            const auto best = std::ranges::min_element(open_, {}, &Node::reached);
-            const Node node = std::move(*best);
+            const auto best = std::ranges::min_element(open_, {}, &WindowNode::reached);
+            const WindowNode node = std::move(*best);
             open_.erase(best);
-            if (is_good_enough(node.reached, relaxed)) break;
+            if (is_good_enough(node.reached)) break;
             if (!node.breach) {
-                take(node, relaxed);
+                take(node);
                 continue;
             }
             if (!nearest_) nearest_ = node.breach;
-            hold_all_the_time(node, *node.breach);
-            set_out_later(node, *node.breach);
+            hold_all_the_time(node);
+            set_out_later(node);
+            fly_in_later(node);
         }
         return finished(relaxed);
     }
 
   private:
-    Mission mission_of(const Node& node) const {
-        Mission mission = mission_;
-        mission.agents = node.agents;
-        mission.rules.zones.clear();
-        for (std::size_t i = 0; i < node.permanent.size(); ++i) {
-            const Zone& zone = mission_.rules.zones[i];
-            if (zone.has_window() && !node.permanent[i]) continue;
-            Zone& imposed = mission.rules.zones.emplace_back(zone);
-            imposed.from = 0;
-            imposed.until = for_ever;
-        }
-        return mission;
-    }
-
     Limits in_time(double share) const {
         Limits left = limits_;
         left.seconds = std::max(deadline_.left() * share, least_seconds);
@@ -132,70 +80,133 @@ class WindowSearch {
         return left;
     }
 
-    void plan(Node& node, double share) {
+    void plan(WindowNode& node, double share) {
         ++planned_so_far_;
-        node.plans = planned_(mission_of(node), method_, in_time(share));
+        node.plans = planned_(node.mission_in(mission_), method_, in_time(share));
+        for (Plan& plan : node.plans) node.begin_as_asked(mission_, plan);
         const Plan& best = node.plans.front();
         limit_reached_ = limit_reached_ || best.limit_reached;
         is_cut_ = is_cut_ || best.status == PlanStatus::limit_reached || best.status == PlanStatus::stopped;
         if (best.status != PlanStatus::solved) return;
         node.reached = reached(mission_, best.after);
-        node.breach = watch_.first_breach(best, node.permanent);
+        node.breach = first_breach(node, best);
     }
 
-    bool is_good_enough(double reached, const Plan& relaxed) const {
+    // What flies to an entry is not planned, and may meet any zone.
+    std::optional<ZoneBreach> first_breach(const WindowNode& node, const Plan& plan) const {
+        std::vector<bool> passed = node.permanent;
+        for (std::size_t i = 0; i < node.agents.size(); ++i) {
+            if (node.is_at_entry(mission_, i)) passed.assign(passed.size(), false);
+        }
+        return watch_.first_breach(plan, passed);
+    }
+
+    // Whoever keeps out of the permanent zones is no sooner than what is planned without them is proven to be; whoever
+    // does not, as an aircraft that has no way round them, flies into one when that is over.
+    void bound_by(const WindowNode& node) {
+        if (!bound_ || node.is_anybody_late(mission_) || mission_.rules.objective != Objective::makespan) return;
+        const Mission held = flown(node);
+        double least = for_ever;
+        for (const Agent& agent : held.agents) {
+            if (agent.kind != AgentKind::air) continue;
+            if (!agent.airspace.allows(agent.begin())) return;
+            double enters = for_ever;
+            for (std::size_t i = 0; i < node.permanent.size(); ++i) {
+                const Zone& zone = mission_.rules.zones[i];
+                if (!node.permanent[i]) continue;
+                if (zone.kind != ZoneKind::no_fly) return;
+                if (!holds_for(zone, agent)) continue;
+                enters = std::min(enters, least_arrival_past(map_, agent, held.rules.zones, zone, Point(agent.goal)));
+            }
+            const bool has_way = std::isfinite(agent.airspace.length(agent.begin(), Point(agent.goal)));
+            if (!has_way && std::isfinite(enters)) bound_ = std::max(*bound_, enters);
+            least = std::min(least, enters);
+        }
+        if (node.plans.empty() || !node.plans.front().bound) return;
+        bound_ = std::max(*bound_, std::min(*node.plans.front().bound, least));
+    }
+
+    // The mission of a node, with its airspaces.
+    Mission flown(const WindowNode& node) const {
+        Mission mission = node.mission_in(mission_);
+        set_airspaces(map_, mission);
+        return mission;
+    }
+
+    bool is_good_enough(double reached) const {
         if (!best_) return false;
-        const bool is_near = best_->reached <= relaxed.bound.value_or(0) * (1 + limits_.gap);
+        const bool is_near = best_->reached <= bound_.value_or(0) * (1 + limits_.gap);
         return reached >= best_->reached || is_near;
     }
 
-    void take(const Node& node, const Plan& relaxed) {
+    void take(const WindowNode& node) {
         if (best_ && node.reached >= best_->reached) return;
         best_ = node;
         if (limits_.progress && std::isfinite(node.reached))
-            limits_.progress({node.reached, std::min(relaxed.bound.value_or(0), node.reached)});
+            limits_.progress({node.reached, std::min(bound_.value_or(0), node.reached)});
     }
 
-    void hold_all_the_time(const Node& node, const ZoneBreach& breach) {
-        Node next{node.agents, node.permanent};
-        next.permanent[breach.zone] = true;
+    void hold_all_the_time(const WindowNode& node) {
+        WindowNode next{node.agents, node.permanent};
+        next.permanent[node.breach->zone] = true;
         add(std::move(next));
     }
 
-    void set_out_later(const Node& node, const ZoneBreach& breach) {
+    void set_out_later(const WindowNode& node) {
+        if (node.is_at_entry(mission_, node.breach->agent)) return;
+        if (std::optional<WindowNode> next = node.put_off(mission_)) add(std::move(*next));
+    }
+
+    // On the way to where it goes next, and on the way to its goal.
+    void fly_in_later(const WindowNode& node) {
+        const ZoneBreach& breach = *node.breach;
         const Zone& zone = mission_.rules.zones[breach.zone];
-        if (std::isinf(zone.until) || !breach.stay.entered || !can_stand(mission_, node, breach.agent)) return;
-        Node next{node.agents, node.permanent};
-        Agent& agent = next.agents[breach.agent];
-        const double time = put_off(agent, zone, breach.stay);
-        if (time <= agent.ready_at) return;
-        set_out_at(time, agent);
-        add(std::move(next));
+        if (std::isinf(zone.until) || zone.kind != ZoneKind::no_fly) return;
+        WindowNode closed{node.agents, node.permanent};
+        closed.permanent[breach.zone] = true;
+        const Mission held = flown(closed);
+        const Agent& agent = held.agents[breach.agent];
+        if (!agent.airspace.allows(agent.begin())) return;
+        const Plan& plan = node.plans.front();
+        std::vector<Point> goals{Point(agent.goal)};
+        for (const Breach& next : plan.breaches) {
+            const bool is_own = next.by.empty() || next.by == agent.id;
+            if (is_own && next.cleared_at >= breach.stay.from && goals.size() == 1) goals.emplace_back(next.at);
+        }
+        for (const Point goal : goals) {
+            const auto entry = earliest_entry(map_, agent, held.rules.zones, zone, goal);
+            if (!entry) continue;
+            const auto late = come_to(map_, *entry, mission_.agents[breach.agent], agent);
+            if (!late) continue;
+            WindowNode next{node.agents, node.permanent};
+            next.agents[breach.agent] = *late;
+            add(std::move(next));
+        }
     }
 
-    void add(Node node) {
-        const auto is_same = [&](const Node& other) {
-            return other.permanent == node.permanent &&
-                   std::ranges::equal(other.agents, node.agents, {}, &Agent::ready_at, &Agent::ready_at);
-        };
-        if (std::ranges::any_of(open_, is_same)) return;
+    void add(WindowNode node) {
+        if (std::ranges::any_of(open_, [&](const WindowNode& other) { return other.imposes_the_same(node); })) return;
         if (planned_so_far_ >= most_missions) return;
         is_cut_ = is_cut_ || deadline_.passed() || limits_.stop.stop_requested();
         if (is_cut_) return;
         try {
-            validate(map_, mission_of(node));
+            validate(map_, node.mission_in(mission_));
         } catch (const InputError&) {
+            bound_by(node);
             return;  // a zone that somebody starts or ends in, or that leaves no way
         }
         plan(node, share_of_each);
-        if (node.plans.front().status == PlanStatus::solved) open_.push_back(std::move(node));
+        bound_by(node);
+        const bool is_solved = node.plans.front().status == PlanStatus::solved;
+        const bool is_in_vain = node.breach && node.permanent[node.breach->zone];
+        if (is_solved && !is_in_vain) open_.push_back(std::move(node));
     }
 
     std::vector<Plan> finished(const Plan& relaxed) const {
         if (!best_) return {barred(relaxed)};
         std::vector<Plan> plans;
         for (const Plan& plan : best_->plans) {
-            if (!plans.empty() && watch_.first_breach(plan, best_->permanent)) continue;
+            if (!plans.empty() && first_breach(*best_, plan)) continue;
             plans.push_back(plan);
             if (planned_so_far_ > 1) as_asked(relaxed, plans.back());
         }
@@ -203,11 +214,11 @@ class WindowSearch {
         return plans;
     }
 
-    // What is proven, and what is so without removals, is of the mission without windows.
+    // What is so without removals is of the mission without windows.
     void as_asked(const Plan& relaxed, Plan& plan) const {
         plan.before = relaxed.before;
         plan.limit_reached = limit_reached_ || is_cut_;
-        prove(relaxed.bound, reached(mission_, plan.after), plan);
+        prove(bound_, reached(mission_, plan.after), plan);
     }
 
     Plan barred(const Plan& relaxed) const {
@@ -215,7 +226,7 @@ class WindowSearch {
         none.before = relaxed.before;
         none.after.routes.clear();
         for (const Route& route : relaxed.after.routes) none.after.routes.push_back(Route{route.kind});
-        none.bound = relaxed.bound;
+        none.bound = bound_;
         none.limit_reached = limit_reached_ || is_cut_;
         none.status = limits_.stop.stop_requested() ? PlanStatus::stopped
                       : is_cut_                     ? PlanStatus::limit_reached
@@ -234,8 +245,9 @@ class WindowSearch {
     ZoneWatch watch_;
     Deadline deadline_;
     Stopwatch total_;
-    std::vector<Node> open_;
-    std::optional<Node> best_;
+    std::vector<WindowNode> open_;
+    std::optional<WindowNode> best_;
+    std::optional<double> bound_;
     std::optional<ZoneBreach> nearest_;  // of the first plan
     int planned_so_far_ = 0;
     bool limit_reached_ = false;  // of some plan
