@@ -14,6 +14,7 @@
 #include "city/import_window.hpp"
 #include "city/label_raster.hpp"
 #include "city/vector_source.hpp"
+#include "core/in_quotes.hpp"
 #include "geotiff/gdal_scope.hpp"
 #include "labels/obstacle_names.hpp"
 
@@ -50,15 +51,19 @@ class OverlayReader {
         take(*feature.geometry, said > 0 && said <= widest_line ? said : source_.width, thing);
         if (thing.areas.empty()) return;
         if (const std::string* const name = feature.tags.find("name")) thing.name = labels::clean_name(*name);
+        const auto weight = quantity_of(costs_.weight, feature, thing, least_weight, most_weight);
+        const auto breach_time = quantity_of(costs_.breach_time, feature, thing, 0, most_breach_time);
+        says_weight = says_weight || weight;
+        says_breach_time = says_breach_time || breach_time;
         thing.attributes = {
-            .source_id = feature.source_id,
-            .weight = quantity_of(costs_.weight, feature, thing, least_weight, most_weight).value_or(1),
-            .breach_time = quantity_of(costs_.breach_time, feature, thing, 0, most_breach_time).value_or(0)};
+            .source_id = feature.source_id, .weight = weight.value_or(1), .breach_time = breach_time.value_or(0)};
         things.push_back(std::move(thing));
     }
 
     std::vector<Thing> things;
     LeftOut left_out;
+    bool says_weight = false;  // some thing
+    bool says_breach_time = false;
 
   private:
     // Areas as they are, lines and points as wide as they are.
@@ -147,6 +152,12 @@ void note(const LeftOut& left_out, std::size_t things, std::vector<std::string>&
     if (things == 0) notes.emplace_back("nothing of it lies on the map");
 }
 
+void note_unsaid(const Quantity& quantity, const char* otherwise, std::vector<std::string>& notes) {
+    if (quantity.of.empty() || quantity.of == "area") return;
+    notes.push_back(
+        fmt::format("nothing of it says a number above 0 as {}: each {}", in_quotes(quantity.of), otherwise));
+}
+
 // What captions call the overlay of a file: its name up to the first dot.
 std::string name_of(const std::string& file) {
     std::string name = labels::clean_name(std::filesystem::path(file).filename().string());
@@ -182,6 +193,11 @@ ReadOverlay read_overlay(const OverlaySource& source, const site::Georeference& 
         layer.attributes.push_back(thing.attributes);
     }
     note(reader.left_out, report.things, report.notes);
+    const bool is_removable = source.use == site::OverlayUse::debris || source.use == site::OverlayUse::wall;
+    if (is_removable && !things.empty()) {
+        if (!reader.says_weight) note_unsaid(costs.weight, "weighs 1", report.notes);
+        if (!reader.says_breach_time) note_unsaid(costs.breach_time, "takes no time of its own", report.notes);
+    }
     return {{.name = name_of(source.file), .use = source.use, .things = std::move(layer)}, std::move(report)};
 }
 

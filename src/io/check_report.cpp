@@ -32,7 +32,9 @@ Violations judge_digest(const PlanFile& plan, const MapFile& map) {
         return {{Rule::map, fmt::format("the plan was made with {} laid over the map; lay it over this one, too",
                                         plan.asked.overlays.front().file)}};
     }
-    return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
+    return {{Rule::map,
+             "the plan was made for another map file: the digests differ (waybreaker check --ignore-digest judges it "
+             "all the same)"}};
 }
 
 Violations judge_weights(const PlanFile& plan, const Map& map) {

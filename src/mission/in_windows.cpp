@@ -37,6 +37,24 @@ void prove(std::optional<double> bound, double reached, Plan& plan) {
     plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
 }
 
+// How much longer the only aircraft that may breach flies, at least, if anything is removed; 0 where others may as
+// well.
+double least_breach(const Map& map, const Mission& mission) {
+    const Agent* only = nullptr;
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air ? agent.breaches == 0 : agent.own_breaches == 0) continue;
+        if (only != nullptr || agent.kind == AgentKind::ground) return 0;
+        only = &agent;
+    }
+    if (only == nullptr || mission.rules.timing == Timing::ignore) return 0;
+    double least = for_ever;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        if (obstacle.destructible && !obstacle.gone())
+            least = std::min(least, time_to_breach(*only, obstacle, mission.rules));
+    }
+    return std::isfinite(least) ? least : 0;
+}
+
 class WindowSearch {
   public:
     WindowSearch(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
@@ -47,7 +65,8 @@ class WindowSearch {
           limits_(limits),
           planned_(planned),
           watch_(map, mission),
-          deadline_(limits.seconds) {}
+          deadline_(limits.seconds),
+          least_breach_(least_breach(map, mission)) {}
 
     std::vector<Plan> run() {
         WindowNode first{mission_.agents, std::vector<bool>(mission_.rules.zones.size())};
@@ -71,6 +90,9 @@ class WindowSearch {
         }
         return finished(relaxed);
     }
+
+    // Of the makespan of plans that remove anything, once it has run.
+    double bound_if_removing() const { return bound_if_removing_; }
 
   private:
     Limits in_time(double share) const {
@@ -107,23 +129,41 @@ class WindowSearch {
         if (!bound_ || node.is_anybody_late(mission_) || mission_.rules.objective != Objective::makespan) return;
         const Mission held = flown(node);
         double least = for_ever;
-        for (const Agent& agent : held.agents) {
+        double least_if_removing = for_ever;
+        for (Agent agent : held.agents) {
             if (agent.kind != AgentKind::air) continue;
             if (!agent.airspace.allows(agent.begin())) return;
             double enters = for_ever;
+            double enters_if_removing = for_ever;
             for (std::size_t i = 0; i < node.permanent.size(); ++i) {
                 const Zone& zone = mission_.rules.zones[i];
                 if (!node.permanent[i]) continue;
                 if (zone.kind != ZoneKind::no_fly) return;
                 if (!holds_for(zone, agent)) continue;
-                enters = std::min(enters, least_arrival_past(map_, agent, held.rules.zones, zone, Point(agent.goal)));
+                const auto arrival = [&] {
+                    return least_arrival_past(map_, agent, held.rules.zones, zone, Point(agent.goal));
+                };
+                // Who breaches does so before it enters or after that.
+                const double at_once = arrival();
+                agent.ready_at += least_breach_;
+                const double later = arrival();
+                agent.ready_at -= least_breach_;
+                enters = std::min(enters, at_once);
+                enters_if_removing = std::min({enters_if_removing, later, at_once + least_breach_});
             }
             const bool has_way = std::isfinite(agent.airspace.length(agent.begin(), Point(agent.goal)));
-            if (!has_way && std::isfinite(enters)) bound_ = std::max(*bound_, enters);
+            if (!has_way && std::isfinite(enters)) raise_bounds(enters, enters_if_removing);
             least = std::min(least, enters);
+            least_if_removing = std::min(least_if_removing, enters_if_removing);
         }
         if (node.plans.empty() || !node.plans.front().bound) return;
-        bound_ = std::max(*bound_, std::min(*node.plans.front().bound, least));
+        const double proven = *node.plans.front().bound;
+        raise_bounds(std::min(proven, least), std::min(proven, least_if_removing));
+    }
+
+    void raise_bounds(double bound, double bound_if_removing) {
+        bound_ = std::max(*bound_, bound);
+        bound_if_removing_ = std::max(bound_if_removing_, bound_if_removing);
     }
 
     // The mission of a node, with its airspaces.
@@ -248,31 +288,42 @@ class WindowSearch {
     std::vector<WindowNode> open_;
     std::optional<WindowNode> best_;
     std::optional<double> bound_;
+    double bound_if_removing_ = 0;
+    double least_breach_ = 0;
     std::optional<ZoneBreach> nearest_;  // of the first plan
     int planned_so_far_ = 0;
     bool limit_reached_ = false;  // of some plan
     bool is_cut_ = false;         // what is left to try is not tried
 };
 
-// The better of both where what was chosen without zones goes a long way round them: that, or to remove nothing.
+// The better of both where what was chosen without zones goes a long way round them: that, or to remove nothing. No
+// plan is below the bounds of both.
 std::vector<Plan> searched(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                            const ZonedPlanner& planned) {
     const Deadline deadline(limits.seconds);
-    std::vector<Plan> plans = WindowSearch(map, mission, method, limits, planned).run();
+    WindowSearch search(map, mission, method, limits, planned);
+    std::vector<Plan> plans = search.run();
     Plan& plan = plans.front();
     const double best = plan.status == PlanStatus::solved ? reached(mission, plan.after) : for_ever;
-    if (mission.rules.removals == 0 || !mission.rules.force.empty() || best <= reached(mission, plan.before))
-        return plans;
+    const double unproven = plan.bound ? std::min(best, search.bound_if_removing()) - *plan.bound : 0;
+    const bool has_choice = mission.rules.removals > 0 && mission.rules.force.empty();
+    if (!has_choice || (best <= reached(mission, plan.before) && unproven <= 0)) return plans;
     Mission nothing = mission;
     nothing.rules.removals = 0;
     Limits left = limits;
     left.seconds = std::max(deadline.left(), least_seconds);
     left.progress = nullptr;
     Plan other = WindowSearch(map, nothing, method, left, planned).run().front();
-    plan.limit_reached = plan.limit_reached || other.limit_reached;
+    const bool is_limited = plan.limit_reached || other.limit_reached;
+    const double without = other.status == PlanStatus::no_plan ? for_ever : other.bound.value_or(0);
+    if (plan.bound) {
+        const double bound = std::max(*plan.bound, std::min(without, search.bound_if_removing()));
+        for (Plan& proven : plans) prove(bound, reached(mission, proven.after), proven);
+    }
+    plan.limit_reached = is_limited;
     if (other.status != PlanStatus::solved || reached(mission, other.after) >= best) return plans;
     other.before = plan.before;
-    other.limit_reached = plan.limit_reached;
+    other.limit_reached = is_limited;
     prove(plan.bound, reached(mission, other.after), other);
     if (plan.status != PlanStatus::solved) plans.clear();
     plans.insert(plans.begin(), std::move(other));

@@ -167,6 +167,20 @@ TEST_F(Overlays, take_as_long_to_remove_as_their_volume_says) {
     EXPECT_EQ(map.map.obstacle(map.map.obstacle_at({8, 4})).breach_time, 60);
 }
 
+TEST_F(Overlays, say_so_where_nothing_has_the_property) {
+    const Shapes debris = Shapes().area(R"("volume":40)", box(7.6, 3.6, 8.4, 4.4));
+    const ImportReport town = imported();
+    const auto notes = [&](OverlayUse use, const OverlayCosts& costs) {
+        site::DescribedMap map{town.tiff.map, town.tiff.annotations};
+        return lay_over(source(use, debris), *town.tiff.georeference, costs, map).notes;
+    };
+    const OverlayCosts misspelt{.weight = {"volme"}, .breach_time = {"volume"}};
+    EXPECT_EQ(notes(OverlayUse::debris, misspelt),
+              std::vector<std::string>{"nothing of it says a number above 0 as 'volme': each weighs 1"});
+    EXPECT_TRUE(notes(OverlayUse::water, misspelt).empty());
+    EXPECT_TRUE(notes(OverlayUse::debris, {.weight = {"area"}}).empty());
+}
+
 TEST_F(Overlays, of_walls_have_at_least_a_cell) {
     const std::string map = laid(source(OverlayUse::wall, Shapes().line("", {{-1, 10.2}, {14, 10.2}})));
     EXPECT_EQ(map.substr(10 * 15, 15), "bbbbbbbbbbbbbb\n");

@@ -77,6 +77,7 @@ RC_GTEST_PROP(LateEntry, NoPlanIsBelowTheBound, ()) {
     constexpr int others = 30;
     World world = any_windowed_world();
     for (Zone& zone : world.mission.rules.zones) zone.kind = ZoneKind::no_fly;
+    if (*rc::gen::arbitrary<bool>()) world.mission.rules.breach_time.per_obstacle = *rc::gen::element(1.0, 4.0);
     world.mission.rules.objective = Objective::makespan;
     RC_PRE(is_plannable(world));
     RC_LOG() << text(world.mission);
