@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/stopwatch.hpp"
@@ -37,22 +38,26 @@ void prove(std::optional<double> bound, double reached, Plan& plan) {
     plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
 }
 
-// How much longer the only aircraft that may breach flies, at least, if anything is removed; 0 where others may as
-// well.
-double least_breach(const Map& map, const Mission& mission) {
+// The only agent that may breach, if it flies, and how much longer it flies at least if anything is removed.
+struct OnlyBreacher {
+    std::string id = {};
+    double least_breach = 0;
+};
+
+OnlyBreacher only_breacher(const Map& map, const Mission& mission) {
     const Agent* only = nullptr;
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air ? agent.breaches == 0 : agent.own_breaches == 0) continue;
-        if (only != nullptr || agent.kind == AgentKind::ground) return 0;
+        if (only != nullptr || agent.kind == AgentKind::ground) return {};
         only = &agent;
     }
-    if (only == nullptr || mission.rules.timing == Timing::ignore) return 0;
+    if (only == nullptr || mission.rules.timing == Timing::ignore) return {};
     double least = for_ever;
     for (const Obstacle& obstacle : map.obstacles()) {
         if (obstacle.destructible && !obstacle.gone())
             least = std::min(least, time_to_breach(*only, obstacle, mission.rules));
     }
-    return std::isfinite(least) ? least : 0;
+    return {only->id, std::isfinite(least) ? least : 0};
 }
 
 class WindowSearch {
@@ -66,7 +71,7 @@ class WindowSearch {
           planned_(planned),
           watch_(map, mission),
           deadline_(limits.seconds),
-          least_breach_(least_breach(map, mission)) {}
+          only_breacher_(only_breacher(map, mission)) {}
 
     std::vector<Plan> run() {
         WindowNode first{mission_.agents, std::vector<bool>(mission_.rules.zones.size())};
@@ -145,11 +150,12 @@ class WindowSearch {
                 };
                 // Who breaches does so before it enters or after that.
                 const double at_once = arrival();
-                agent.ready_at += least_breach_;
+                const double breach = agent.id == only_breacher_.id ? only_breacher_.least_breach : 0;
+                agent.ready_at += breach;
                 const double later = arrival();
-                agent.ready_at -= least_breach_;
+                agent.ready_at -= breach;
                 enters = std::min(enters, at_once);
-                enters_if_removing = std::min({enters_if_removing, later, at_once + least_breach_});
+                enters_if_removing = std::min({enters_if_removing, later, at_once + breach});
             }
             const bool has_way = std::isfinite(agent.airspace.length(agent.begin(), Point(agent.goal)));
             if (!has_way && std::isfinite(enters)) raise_bounds(enters, enters_if_removing);
@@ -289,7 +295,7 @@ class WindowSearch {
     std::optional<WindowNode> best_;
     std::optional<double> bound_;
     double bound_if_removing_ = 0;
-    double least_breach_ = 0;
+    OnlyBreacher only_breacher_;
     std::optional<ZoneBreach> nearest_;  // of the first plan
     int planned_so_far_ = 0;
     bool limit_reached_ = false;  // of some plan

@@ -24,7 +24,8 @@ bool has_windows(const Mission& mission);
 // where that is best. The best plan that keeps out of all zones is the plan, or the best that removes nothing, if that
 // is better; it is `not_found` where none does, and Plan::barred_by names the zone. The bound of a makespan knows
 // no-fly zones: who keeps out of one is bound by the mission in which it holds all the time, who does not flies in when
-// it is over. REQUIRES: a valid mission that has windows.
+// it is over; an only breacher takes the time of a breach, unless nothing is removed. REQUIRES: a valid mission that
+// has windows.
 std::vector<Plan> in_windows(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                              const ZonedPlanner& planned);
 

@@ -61,7 +61,7 @@ bool is_legal(const Map& map, const Mission& mission, const Plan& plan) {
 
 // As if the aircraft were told to be somewhere first.
 Mission by_way_of(Mission mission, Cell at) {
-    Agent& air = mission.agents[1];
+    Agent& air = mission.agents[std::size_t(*number(1, int(mission.agents.size()) - 1))];
     const double comes_at = air.ready_at + distance(air.start, at) / air.speed;
     const double leaves_at = comes_at + *rc::gen::element(0.0, 0.3, 1.0, 4.0);
     const Point start(air.start);
@@ -79,6 +79,12 @@ RC_GTEST_PROP(LateEntry, NoPlanIsBelowTheBound, ()) {
     for (Zone& zone : world.mission.rules.zones) zone.kind = ZoneKind::no_fly;
     if (*rc::gen::arbitrary<bool>()) world.mission.rules.breach_time.per_obstacle = *rc::gen::element(1.0, 4.0);
     world.mission.rules.objective = Objective::makespan;
+    if (*rc::gen::arbitrary<bool>()) {
+        Agent other = world.mission.agents[1];
+        other.id = "other";
+        if (*rc::gen::arbitrary<bool>()) other.breaches = 0;
+        world.mission.agents.push_back(other);
+    }
     RC_PRE(is_plannable(world));
     RC_LOG() << text(world.mission);
     const Plan plan = Planner().plan(world.map, world.mission);
