@@ -244,8 +244,8 @@ class WindowSearch {
         plan(node, share_of_each);
         bound_by(node);
         const bool is_solved = node.plans.front().status == PlanStatus::solved;
-        const bool is_in_vain = node.breach && node.permanent[node.breach->zone];
-        if (is_solved && !is_in_vain) open_.push_back(std::move(node));
+        const bool has_no_child = node.breach && node.permanent[node.breach->zone];
+        if (is_solved && !has_no_child) open_.push_back(std::move(node));
     }
 
     std::vector<Plan> finished(const Plan& relaxed) const {
