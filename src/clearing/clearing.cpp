@@ -132,8 +132,9 @@ class ClearingPlanner {
         Method method = plain_;
         method.flight = FlightRule::optimal;
         method.bound = true;
-        const std::vector<Plan> plans =
-            planned_(easier.mission, method, within(tuning::share_of_relaxation), Care::with_others);
+        Limits limits = within(tuning::share_of_relaxation);
+        limits.gap = std::max(limits.gap, tuning::gap_of_relaxation);
+        const std::vector<Plan> plans = planned_(easier.mission, method, limits, Care::with_others);
         relaxed_status_ = plans.front().status;
         limited_ = limited_ || plans.front().limit_reached;
         if (const std::optional<double> bound = plans.front().bound)

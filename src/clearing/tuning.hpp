@@ -7,6 +7,8 @@ namespace waybreaker::clearing::tuning {
 
 // Share of the time for the relaxed mission, which says what is worth to be breached.
 inline constexpr double share_of_relaxation = 0.3;
+// The same is good enough then: what a vehicle drives longer than an aircraft flies is more.
+inline constexpr double gap_of_relaxation = 0.005;
 // Share of the time that is left, for each single plan of the others past a clearing.
 inline constexpr double share_of_plan = 0.25;
 // Obstacles that tours are made of.

@@ -88,10 +88,11 @@ class WindowSearch {
                 take(node);
                 continue;
             }
-            if (!nearest_) nearest_ = node.breach;
-            hold_all_the_time(node);
-            set_out_later(node);
-            fly_in_later(node);
+            const ZoneBreach breach = *node.breach;
+            if (!nearest_) nearest_ = breach;
+            hold_all_the_time(node, breach);
+            set_out_later(node, breach);
+            fly_in_later(node, breach);
         }
         return finished(relaxed);
     }
@@ -162,13 +163,13 @@ class WindowSearch {
             least = std::min(least, enters);
             least_if_removing = std::min(least_if_removing, enters_if_removing);
         }
-        if (node.plans.empty() || !node.plans.front().bound) return;
-        const double proven = *node.plans.front().bound;
-        raise_bounds(std::min(proven, least), std::min(proven, least_if_removing));
+        if (node.plans.empty()) return;
+        const std::optional<double>& proven = node.plans.front().bound;
+        if (proven) raise_bounds(std::min(*proven, least), std::min(*proven, least_if_removing));
     }
 
     void raise_bounds(double bound, double bound_if_removing) {
-        bound_ = std::max(*bound_, bound);
+        bound_ = std::max(bound_.value_or(bound), bound);
         bound_if_removing_ = std::max(bound_if_removing_, bound_if_removing);
     }
 
@@ -192,20 +193,19 @@ class WindowSearch {
             limits_.progress({node.reached, std::min(bound_.value_or(0), node.reached)});
     }
 
-    void hold_all_the_time(const WindowNode& node) {
+    void hold_all_the_time(const WindowNode& node, const ZoneBreach& breach) {
         WindowNode next{node.agents, node.permanent};
-        next.permanent[node.breach->zone] = true;
+        next.permanent[breach.zone] = true;
         add(std::move(next));
     }
 
-    void set_out_later(const WindowNode& node) {
-        if (node.is_at_entry(mission_, node.breach->agent)) return;
-        if (std::optional<WindowNode> next = node.put_off(mission_)) add(std::move(*next));
+    void set_out_later(const WindowNode& node, const ZoneBreach& breach) {
+        if (node.is_at_entry(mission_, breach.agent)) return;
+        if (std::optional<WindowNode> next = node.put_off(mission_, breach)) add(std::move(*next));
     }
 
     // On the way to where it goes next, and on the way to its goal.
-    void fly_in_later(const WindowNode& node) {
-        const ZoneBreach& breach = *node.breach;
+    void fly_in_later(const WindowNode& node, const ZoneBreach& breach) {
         const Zone& zone = mission_.rules.zones[breach.zone];
         if (std::isinf(zone.until) || zone.kind != ZoneKind::no_fly) return;
         WindowNode closed{node.agents, node.permanent};

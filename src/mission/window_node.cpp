@@ -94,12 +94,12 @@ bool WindowNode::imposes_the_same(const WindowNode& other) const {
     return permanent == other.permanent && std::ranges::equal(agents, other.agents, are_alike);
 }
 
-std::optional<WindowNode> WindowNode::put_off(const Mission& asked) const {
-    const Zone& zone = asked.rules.zones[breach->zone];
-    if (std::isinf(zone.until) || !breach->stay.entered || !can_stand(asked, *this, breach->agent)) return std::nullopt;
+std::optional<WindowNode> WindowNode::put_off(const Mission& asked, const ZoneBreach& late) const {
+    const Zone& zone = asked.rules.zones[late.zone];
+    if (std::isinf(zone.until) || !late.stay.entered || !can_stand(asked, *this, late.agent)) return std::nullopt;
     WindowNode next{agents, permanent};
-    Agent& agent = next.agents[breach->agent];
-    const double time = time_past(agent, zone, breach->stay);
+    Agent& agent = next.agents[late.agent];
+    const double time = time_past(agent, zone, late.stay);
     if (time <= agent.ready_at) return std::nullopt;
     set_out_at(time, agent);
     return next;

@@ -29,9 +29,9 @@ struct WindowNode {
     bool is_anybody_late(const Mission& asked) const;
     bool imposes_the_same(const WindowNode& other) const;
 
-    // Where the agent of the breach sets out so late that it is at the zone when that is over. Empty if it does not
-    // help, or it cannot stand where it begins. REQUIRES: there is a breach.
-    std::optional<WindowNode> put_off(const Mission& asked) const;
+    // Where the agent of a breach of one of its plans sets out so late that it is at the zone when that is over. Empty
+    // if it does not help, or it cannot stand where it begins.
+    std::optional<WindowNode> put_off(const Mission& asked, const ZoneBreach& late) const;
 };
 
 }  // namespace waybreaker

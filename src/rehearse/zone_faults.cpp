@@ -94,13 +94,38 @@ Piece stand_at(const Piece& piece, double time) {
     return {{at.x, at.y, time}, {at.x, at.y, time}};
 }
 
-// The part of a piece for which a zone holds; empty if it does for none.
-std::optional<Piece> part_within(const Zone& zone, const Piece& piece) {
-    if (!zone.has_window()) return piece;
-    if (piece.to.t <= zone.from || piece.from.t >= zone.until) return std::nullopt;
-    const Waypoint from = stand_at(piece, std::max(piece.from.t, zone.from)).from;
-    const Waypoint to = stand_at(piece, std::min(piece.to.t, zone.until)).from;
-    return Piece{from, to};
+// The parts of pieces for which a zone holds.
+std::vector<Piece> parts_within(const Zone& zone, const std::vector<Piece>& pieces) {
+    if (!zone.has_window()) return pieces;
+    std::vector<Piece> parts;
+    for (const Piece& piece : pieces) {
+        if (piece.to.t <= zone.from || piece.from.t >= zone.until) continue;
+        parts.push_back({stand_at(piece, std::max(piece.from.t, zone.from)).from,
+                         stand_at(piece, std::min(piece.to.t, zone.until)).from});
+    }
+    return parts;
+}
+
+bool holds_for(const Zone& zone, const Trail& trail) {
+    if ((zone.kind == ZoneKind::no_fly) != (trail.kind == AgentKind::air)) return false;
+    return zone.agents.empty() || std::ranges::find(zone.agents, trail.agent) != zone.agents.end();
+}
+
+// Who is where a zone begins is excused until it is out.
+void add_faults(const Zone& zone, std::size_t number, const Trail& trail, ZoneFaults& faults) {
+    const std::vector<Side> sides = sides_of(zone);
+    bool excused = false;
+    for (const Piece& part : parts_within(zone, trail.pieces)) {
+        if (zone.from > 0 && part.from.t == zone.from) excused = is_beside(sides, part.from, trail);
+        const bool there = is_in(sides, part, trail.radius);
+        if (there && !excused) {
+            faults.fault = trail.agent + " is in " + name_of(zone, number) + " between " + std::to_string(part.from.t) +
+                           " and " + std::to_string(part.to.t);
+            return;
+        }
+        if (there) faults.caught = true;
+        excused = excused && is_beside(sides, part.to, trail);
+    }
 }
 
 }  // namespace
@@ -108,24 +133,7 @@ std::optional<Piece> part_within(const Zone& zone, const Piece& piece) {
 ZoneFaults zone_faults(std::span<const Zone> zones, const Trail& trail) {
     ZoneFaults faults;
     for (std::size_t i = 0; i < zones.size() && !faults.fault; ++i) {
-        const Zone& zone = zones[i];
-        if ((zone.kind == ZoneKind::no_fly) != (trail.kind == AgentKind::air)) continue;
-        if (!zone.agents.empty() && std::ranges::find(zone.agents, trail.agent) == zone.agents.end()) continue;
-        const std::vector<Side> sides = sides_of(zone);
-        bool excused = false;
-        for (const Piece& piece : trail.pieces) {
-            const std::optional<Piece> part = part_within(zone, piece);
-            if (!part) continue;
-            if (zone.from > 0 && part->from.t == zone.from) excused = is_beside(sides, part->from, trail);
-            const bool there = is_in(sides, *part, trail.radius);
-            faults.caught = faults.caught || (there && excused);
-            if (there && !excused) {
-                faults.fault = trail.agent + " is in " + name_of(zone, i + 1) + " between " +
-                               std::to_string(part->from.t) + " and " + std::to_string(part->to.t);
-                break;
-            }
-            excused = excused && is_beside(sides, part->to, trail);
-        }
+        if (holds_for(zones[i], trail)) add_faults(zones[i], i + 1, trail, faults);
     }
     return faults;
 }
